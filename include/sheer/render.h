@@ -1,0 +1,87 @@
+// From a scene and a view to a picture.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sheer/image.h>
+#include <sheer/scene.h>
+
+namespace sheer {
+
+enum class SamplePositions {
+    standard,  // the multisample positions of Direct3D and Vulkan up to 16; Hammersley points above
+    center,    // every sample at the pixel's centre
+};
+
+enum class Filter {
+    box,       // mean of the pixel's samples
+    gaussian,  // sigma 0.5 pixel, over the 3x3 pixels around, 0 from 1.5 pixels on
+};
+
+// What is seen and how it is sampled.
+struct View {
+    int width = 1024;  // pixels, 1 to kMaxImageSize
+    int height = 768;
+    int samples = 8;  // per pixel: 1, 2, 4, 8, 16, 32 or 64
+    SamplePositions positions = SamplePositions::standard;
+    Filter filter = Filter::box;
+    std::optional<Float4> background;  // linear, premultiplied; else the scene's, else a light grey
+    std::string camera;                // name or index of a camera of the scene; empty: the first
+    std::optional<Float3> eye;         // with target: a camera of one's own, y up
+    std::optional<Float3> target;
+    std::optional<float> fov;  // full vertical angle in degrees, of that camera
+    float exposure = 0;        // EV; surfaces are multiplied by 2^EV, the background is not
+};
+
+enum class Simd { best, scalar, sse4, avx2, avx512, neon };
+
+struct Options {
+    std::string method = "exact";  // ID[:NAME=VALUE]...
+    int threads = 0;               // 0: all that the machine has
+    Simd simd = Simd::best;
+    std::uint64_t seed = 0;
+    // Called now and then, from one thread at a time, with the part done, in [0, 1].
+    std::function<void(double)> progress;
+};
+
+struct PassTime {
+    std::string name;
+    double ms = 0;  // sum over threads / number of threads
+};
+
+struct Stats {
+    std::string method;      // id
+    std::string parameters;  // NAME=VALUE:NAME=VALUE, defaults included
+    int samples = 0;
+    int width = 0;
+    int height = 0;
+    std::string backend = "cpu";
+    std::string simd;
+    int threads = 0;
+    std::uint64_t seed = 0;
+    std::uint64_t triangles = 0;  // submitted
+    std::uint64_t fragments = 0;  // transparent, covered at one visible sample or more
+    int passes = 1;
+    double bytes_per_pixel = 0;  // of the method's store
+    std::uint64_t peak_memory_bytes = 0;
+    double ms_geometry = 0;
+    double ms_raster_shade = 0;
+    double ms_store = 0;
+    double ms_resolve = 0;
+    double ms_total = 0;
+    std::vector<PassTime> ms_passes;
+};
+
+struct Frame {
+    Image image;
+    Stats stats;
+};
+
+// Throws sheer::Error (sheer/error.h) when the view, the options or the scene can't be drawn.
+Frame render(const Scene& scene, const View& view, const Options& options);
+
+}  // namespace sheer

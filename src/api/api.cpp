@@ -1,0 +1,25 @@
+// The library's two doors: load and render.
+#include <sheer/sheer.h>
+
+#include "api/check.h"
+#include "cpu/frame.h"
+#include "scene/builtin.h"
+#include "scene/gltf.h"
+
+namespace sheer {
+
+Scene load(const std::string& source)
+{
+    constexpr std::string_view kBuiltin = "builtin:";
+    if (source.starts_with(kBuiltin)) return make_builtin(source.substr(kBuiltin.size()));
+    return read_gltf(source);
+}
+
+Frame render(const Scene& scene, const View& view, const Options& options)
+{
+    check_view(view, options);
+    check_scene(scene);
+    return render_frame(scene, view, options);
+}
+
+}  // namespace sheer

@@ -1,0 +1,84 @@
+// Indices in range, numbers that are numbers.
+#include "api/check.h"
+
+#include <cmath>
+#include <unordered_set>
+
+#include <sheer/error.h>
+
+namespace sheer {
+
+namespace {
+
+[[noreturn]] void refuse(const std::string& text)
+{
+    throw Error(Fault::input, text);
+}
+
+void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
+{
+    const std::string name = "mesh " + std::to_string(number);
+    if (mesh.material >= materials) refuse(name + ": its material does not exist");
+    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
+        refuse(name + ": as many normals as positions are needed, or none");
+    }
+    if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) {
+        refuse(name + ": as many colours as positions are needed, or none");
+    }
+    if (mesh.indices.size() % 3 != 0) refuse(name + ": the number of indices is no multiple of 3");
+    for (const std::uint32_t index : mesh.indices) {
+        if (index >= mesh.positions.size()) refuse(name + ": an index is beyond its positions");
+    }
+    for (const Float3& p : mesh.positions) {
+        if (!std::isfinite(p[0] + p[1] + p[2])) refuse(name + ": a position is not finite");
+    }
+}
+
+}  // namespace
+
+void check_scene(const Scene& scene)
+{
+    for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+        check_mesh(scene.meshes[i], i, scene.materials.size());
+    }
+    std::unordered_set<std::uint32_t> ids;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const std::string name = "object " + std::to_string(i);
+        if (object.mesh >= scene.meshes.size()) refuse(name + ": its mesh does not exist");
+        if (!ids.insert(object.id).second) {
+            refuse(name + ": its id " + std::to_string(object.id) + " is taken");
+        }
+        for (const float m : object.transform) {
+            if (!std::isfinite(m)) refuse(name + ": its transform is not finite");
+        }
+    }
+}
+
+void check_view(const View& view, const Options& options)
+{
+    if (view.width < 1 || view.height < 1 || view.width > kMaxImageSize ||
+        view.height > kMaxImageSize) {
+        refuse("size: " + std::to_string(view.width) + "x" + std::to_string(view.height) +
+               " is not between 1x1 and 16384x16384");
+    }
+    static_assert(kMaxImageSize == 16384);
+    bool known = false;
+    for (const int samples : {1, 2, 4, 8, 16, 32, 64}) known |= samples == view.samples;
+    if (!known) {
+        refuse("samples: " + std::to_string(view.samples) +
+               " is not one of 1, 2, 4, 8, 16, 32, 64");
+    }
+    if (!(std::abs(view.exposure) <= 64)) refuse("exposure: not between -64 and 64 EV");
+    if (options.threads < 0 || options.threads > 4096) {
+        refuse("threads: " + std::to_string(options.threads) + " is not between 1 and 4096");
+    }
+    if (view.background) {
+        for (const float c : *view.background) {
+            if (!std::isfinite(c) || c < 0) refuse("background: a number below 0 or none at all");
+        }
+        if ((*view.background)[3] > 1) refuse("background: an alpha above 1");
+    }
+}
+
+}  // namespace sheer

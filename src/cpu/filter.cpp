@@ -1,0 +1,79 @@
+// Box and Gaussian. Sums run in one fixed order, so that they do not depend on vectors or threads.
+#include "cpu/filter.h"
+
+#include <algorithm>
+
+#include "support/math.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr double kSigma = 0.5, kRadius = 1.5;  // pixels
+
+double gauss(double d)
+{
+    const auto bell = [](double x) { return own_exp(-x * x / (2 * kSigma * kSigma)); };
+    return std::max(0.0, bell(d) - bell(kRadius));
+}
+
+// Halves are added to halves: the order that any vector width can follow.
+float mean(float* values, int count)
+{
+    for (int half = count / 2; half > 0; half /= 2) {
+        for (int i = 0; i < half; ++i) values[i] += values[i + half];
+    }
+    return values[0] / static_cast<float>(count);
+}
+
+}  // namespace
+
+SampleFilter::SampleFilter(Filter kind, const SampleSet& samples) : samples_(samples.count)
+{
+    if (kind == Filter::box) return;
+    for (std::size_t s = 0; s < static_cast<std::size_t>(samples.count); ++s) {
+        for (int n = 0; n < 9; ++n) {
+            const double x = static_cast<double>(samples.offset_x[s]) + n % 3 - 1;
+            const double y = static_cast<double>(samples.offset_y[s]) + n / 3 - 1;
+            weights_.push_back(static_cast<float>(gauss(x) * gauss(y)));
+        }
+    }
+}
+
+std::array<float, 4> SampleFilter::gaussian(const SampleColors& colors, const PixelRect& rect,
+                                            int x, int y) const
+{
+    std::array<float, 4> sum = {0, 0, 0, 0};
+    float total = 0;
+    for (int n = 0; n < 9; ++n) {
+        const int nx = x + n % 3 - 1, ny = y + n / 3 - 1;
+        if (nx < rect.x0 || nx >= rect.x1 || ny < rect.y0 || ny >= rect.y1) continue;
+        const auto pixel = static_cast<std::size_t>((ny - rect.y0) * kTileSize + nx - rect.x0);
+        for (int s = 0; s < samples_; ++s) {
+            const float w = weights_[static_cast<std::size_t>(9 * s + n)];
+            total += w;
+            for (std::size_t c = 0; c < 4; ++c) sum[c] += w * colors.channel(pixel, c)[s];
+        }
+    }
+    for (float& c : sum) c /= total;
+    return sum;
+}
+
+void SampleFilter::apply(SampleColors& colors, const PixelRect& rect, const PixelRect& interior,
+                         Image& image) const
+{
+    for (int y = interior.y0; y < interior.y1; ++y) {
+        for (int x = interior.x0; x < interior.x1; ++x) {
+            if (!weights_.empty()) {
+                image.at(x, y) = gaussian(colors, rect, x, y);
+                continue;
+            }
+            const auto pixel = static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
+            for (std::size_t c = 0; c < 4; ++c) {
+                image.at(x, y)[c] = mean(colors.channel(pixel, c), samples_);
+            }
+        }
+    }
+}
+
+}  // namespace sheer

@@ -1,0 +1,42 @@
+// Rasterises and shades one tile: opaque surfaces into samples, transparent ones into the stream.
+#pragma once
+
+#include <vector>
+
+#include "geometry/triangles.h"
+#include "lanes/targets.h"
+#include "raster/coverage_list.h"
+#include "raster/fragments.h"
+#include "raster/opaque_tile.h"
+#include "raster/sample_set.h"
+#include "geometry/tile_grid.h"
+#include "shade/surface.h"
+
+namespace sheer {
+
+struct FrameSurfaces {
+    std::vector<Surface> surfaces;  // one for each object
+    Light light;
+    bool any_opaque = false;  // OPAQUE or MASK somewhere in the scene
+};
+
+struct TileJob {
+    const Geometry* geometry;
+    const FrameSurfaces* surfaces;
+    const SampleSet* samples;
+    int tile;
+    PixelRect rect;  // of the picture; at most kTileSize across
+};
+
+// Takes the fragments that the stream holds when it is full, and at the end of the tile.
+struct FragmentConsumer {
+    void (*take)(void* context, const FragmentStream& stream);
+    void* context;
+};
+
+using TileFragmentsFunction = void (*)(const TileJob&, CoverageList&, OpaqueTile&, FragmentStream&,
+                                       const FragmentConsumer&);
+
+TileFragmentsFunction tile_fragments_for(TargetSet targets);
+
+}  // namespace sheer

@@ -1,0 +1,74 @@
+// Barycentric weights from edge functions: b1 = E2 / A2, b2 = E0 / A2 (docs/numerics.md).
+#include "cpu/triangle_planes.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace sheer {
+
+namespace {
+
+// |E| at the centre of a pixel that the triangle covers is at most A2 plus half a pixel's steps;
+// both below 2^30 leaves it inside 32 bits.
+constexpr std::int64_t kLargestExactArea = std::int64_t{1} << 30;
+constexpr std::int64_t kLongestExactEdge = std::int64_t{1} << 22;
+
+struct Edge {
+    std::int64_t dx, dy;
+    std::int64_t at_first_center;  // of the tile's first pixel
+    bool exact() const { return std::abs(dx) + std::abs(dy) < kLongestExactEdge; }
+};
+
+Edge make_edge(const Triangle& t, int from, int to, const PixelRect& rect)
+{
+    const std::int64_t dx = t.x[to] - t.x[from], dy = t.y[to] - t.y[from];
+    const std::int64_t x = rect.x0 * kSubpixels + kSubpixels / 2 - t.x[from];
+    const std::int64_t y = rect.y0 * kSubpixels + kSubpixels / 2 - t.y[from];
+    return {dx, dy, dx * y - dy * x};
+}
+
+WeightPlane make_weight(const Edge& e, double inverse_area)
+{
+    const double right = static_cast<double>(-e.dy) * inverse_area;
+    const double down = static_cast<double>(e.dx) * inverse_area;
+    return {static_cast<std::int32_t>(e.at_first_center),
+            static_cast<std::int32_t>(-e.dy * kSubpixels),
+            static_cast<std::int32_t>(e.dx * kSubpixels),
+            static_cast<float>(static_cast<double>(e.at_first_center) * inverse_area),
+            static_cast<float>(right * kSubpixels),
+            static_cast<float>(down * kSubpixels),
+            static_cast<float>(right),
+            static_cast<float>(down)};
+}
+
+}  // namespace
+
+TrianglePlanes make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthographic)
+{
+    const Edge e0 = make_edge(t, 0, 1, rect), e2 = make_edge(t, 2, 0, rect);
+    // (x1 - x0) (y2 - y0) - (x2 - x0) (y1 - y0), the edge 2 running from vertex 2 to vertex 0.
+    const std::int64_t area = e2.dx * e0.dy - e0.dx * e2.dy;
+    const double inverse_area = 1.0 / static_cast<double>(area);
+
+    TrianglePlanes p;
+    p.exact = area < kLargestExactArea && e0.exact() && e2.exact();
+    p.inverse_area = static_cast<float>(inverse_area);
+    p.weight1 = make_weight(e2, inverse_area);
+    p.weight2 = make_weight(e0, inverse_area);
+    p.depth0 = t.depth[0];
+    p.depth1 = t.depth[1] - t.depth[0];
+    p.depth2 = t.depth[2] - t.depth[0];
+    const double d1 = static_cast<double>(p.depth1), d2 = static_cast<double>(p.depth2);
+    const double scale = inverse_area * kSubpixels;
+    p.depth_dx = static_cast<float>(
+        -(static_cast<double>(e2.dy) * d1 + static_cast<double>(e0.dy) * d2) * scale);
+    p.depth_dy = static_cast<float>(
+        (static_cast<double>(e2.dx) * d1 + static_cast<double>(e0.dx) * d2) * scale);
+    p.depth_min = std::min({t.depth[0], t.depth[1], t.depth[2]});
+    p.depth_max = std::max({t.depth[0], t.depth[1], t.depth[2]});
+    p.affine = orthographic || p.depth_min == p.depth_max;
+    for (int i = 0; i < 3; ++i) p.inverse_w[i] = -t.depth[i];
+    return p;
+}
+
+}  // namespace sheer

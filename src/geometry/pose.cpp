@@ -1,0 +1,217 @@
+// Object space to view space to the subpixel grid, vertex by vertex.
+#include "geometry/pose.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+#include <sheer/error.h>
+
+#include "support/parallel.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr std::size_t kVerticesAtOnce = 16384;
+
+// std::floor is a function call on the oldest x86.
+int floor_to_int(float x)
+{
+    const int whole = static_cast<int>(x);
+    return whole - (static_cast<float>(whole) > x ? 1 : 0);
+}
+
+struct Matrix {
+    double m[3][4];
+
+    // The 3x3 part's cofactors times the sign of its determinant: turns normals, up to length.
+    void cofactors(double (&c)[3][3]) const
+    {
+        for (int i = 0; i < 3; ++i) {
+            const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+            for (int j = 0; j < 3; ++j) {
+                const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+                c[i][j] = m[i1][j1] * m[i2][j2] - m[i1][j2] * m[i2][j1];
+            }
+        }
+    }
+};
+
+Matrix to_matrix(const Mat4& a)
+{
+    Matrix r;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 4; ++column) {
+            r.m[row][column] = static_cast<double>(a[4 * column + row]);
+        }
+    }
+    return r;
+}
+
+// world_to_view * object_to_world, rows x, y, z.
+Matrix to_view(const Projection& projection, const Matrix& object)
+{
+    Matrix r;
+    for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 4; ++column) {
+            double sum = column == 3 ? projection.world_to_view[12 + row] : 0.0;
+            for (std::size_t k = 0; k < 3; ++k) {
+                sum += projection.world_to_view[4 * k + row] * object.m[k][column];
+            }
+            r.m[row][column] = sum;
+        }
+    }
+    return r;
+}
+
+struct ObjectPose {
+    float position[3][4];  // to view space, x and y scaled to the screen
+    float normal[3][3];    // to world space
+    bool mirrored;
+};
+
+ObjectPose pose_object(const Object& object, const Projection& projection, const ScreenMap& map)
+{
+    const Matrix world = to_matrix(object.transform), view = to_view(projection, world);
+    ObjectPose pose;
+    const double scale[3] = {static_cast<double>(map.scale_x), static_cast<double>(map.scale_y),
+                             1.0};
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 4; ++c) {
+            pose.position[r][c] = static_cast<float>(view.m[r][c] * scale[r]);
+        }
+    }
+    double cofactor[3][3];
+    world.cofactors(cofactor);
+    const double determinant = world.m[0][0] * cofactor[0][0] + world.m[0][1] * cofactor[0][1] +
+                               world.m[0][2] * cofactor[0][2];
+    pose.mirrored = determinant < 0;
+    // Tiny and huge objects keep their normals' length near 1.
+    double largest = 0;
+    for (const auto& row : cofactor) {
+        for (const double c : row) largest = std::max(largest, c < 0 ? -c : c);
+    }
+    const double to_unit = largest > 0 ? (pose.mirrored ? -1.0 : 1.0) / largest : 0.0;
+    for (int r = 0; r < 3; ++r) {
+        for (int c = 0; c < 3; ++c)
+            pose.normal[r][c] = static_cast<float>(cofactor[r][c] * to_unit);
+    }
+    return pose;
+}
+
+void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, std::size_t begin,
+                std::size_t end, PosedVertex* vertices, Attributes* attributes)
+{
+    for (std::size_t i = begin; i < end; ++i) {
+        const Float3& p = mesh.positions[i];
+        float v[3];
+        for (int r = 0; r < 3; ++r) {
+            const float* m = pose.position[r];
+            v[r] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+        }
+        vertices[i] = pose_vertex(v[0], v[1], -v[2], map);
+        Attributes& a = attributes[i];
+        const Float3 n = mesh.normals.empty() ? Float3{0, 0, 0} : mesh.normals[i];
+        for (std::size_t r = 0; r < 3; ++r) {
+            const float* m = pose.normal[r];
+            a.normal[r] = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
+        }
+        a.color = mesh.colors.empty() ? Float4{1, 1, 1, 1} : mesh.colors[i];
+    }
+}
+
+// Primitive ids count through the objects in the order of Object::id.
+std::vector<std::uint32_t> number_primitives(const Scene& scene)
+{
+    std::vector<std::size_t> order(scene.objects.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return scene.objects[a].id < scene.objects[b].id;
+    });
+    std::vector<std::uint32_t> first(scene.objects.size());
+    std::uint64_t next = 0;
+    for (const std::size_t i : order) {
+        first[i] = static_cast<std::uint32_t>(next);
+        next += scene.meshes[scene.objects[i].mesh].indices.size() / 3;
+    }
+    if (next > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error(Fault::input, "the scene has more than 4,294,967,295 triangles");
+    }
+    return first;
+}
+
+}  // namespace
+
+ScreenMap::ScreenMap(const Projection& projection, int width, int height)
+    : orthographic(projection.orthographic),
+      scale_x(static_cast<float>(projection.scale_x)),
+      scale_y(static_cast<float>(projection.scale_y)),
+      half_width(0.5f * kSubpixels * static_cast<float>(width)),
+      half_height(0.5f * kSubpixels * static_cast<float>(height)),
+      near_depth(static_cast<float>(projection.znear)),
+      far_depth(projection.zfar > 0 ? static_cast<float>(projection.zfar)
+                                    : std::numeric_limits<float>::infinity())
+{
+}
+
+PosedVertex pose_vertex(float x, float y, float distance, const ScreenMap& map)
+{
+    PosedVertex v{x, y, map.orthographic ? 1.0f : distance, distance, 0, 0, 0, 0};
+    if (distance < map.near_depth) v.outside |= kNear;
+    if (distance > map.far_depth) v.outside |= kFar;
+    // Multiplied out, so that vertices behind the eye are sorted rightly too.
+    const float off_x = x * map.half_width, off_y = y * map.half_height;
+    if (off_x < -map.guard_x() * v.w) v.outside |= kLeft;
+    if (off_x > map.guard_x() * v.w) v.outside |= kRight;
+    if (off_y > map.guard_y() * v.w) v.outside |= kTop;
+    if (off_y < -map.guard_y() * v.w) v.outside |= kBottom;
+    if (v.outside == 0) snap_vertex(v, map);
+    return v;
+}
+
+void snap_vertex(PosedVertex& v, const ScreenMap& map)
+{
+    const float screen_x = v.x * map.half_width / v.w + map.half_width;
+    const float screen_y = map.half_height - v.y * map.half_height / v.w;
+    v.screen_x = floor_to_int(screen_x + 0.5f);
+    v.screen_y = floor_to_int(screen_y + 0.5f);
+    v.depth = map.orthographic ? v.distance : -1.0f / v.distance;
+}
+
+PosedScene pose_scene(const Scene& scene, const Projection& projection, const ScreenMap& map,
+                      int threads)
+{
+    PosedScene posed;
+    struct Range {
+        std::size_t object, begin, end;
+    };
+    std::vector<Range> ranges;
+    std::vector<ObjectPose> poses;
+    std::size_t total = 0;
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const std::size_t count = scene.meshes[scene.objects[i].mesh].positions.size();
+        posed.first_vertex.push_back(static_cast<std::uint32_t>(total));
+        poses.push_back(pose_object(scene.objects[i], projection, map));
+        posed.mirrored.push_back(poses.back().mirrored);
+        for (std::size_t begin = 0; begin < count; begin += kVerticesAtOnce) {
+            ranges.push_back({i, begin, std::min(count, begin + kVerticesAtOnce)});
+        }
+        total += count;
+        if (total >= kClippedVertex) {
+            throw Error(Fault::input, "the scene has more than 2,147,483,647 vertices");
+        }
+    }
+    posed.first_primitive = number_primitives(scene);
+    posed.vertices.resize(total);
+    posed.attributes.resize(total);
+    parallel_for(threads, ranges.size(), [&](std::size_t i, int) {
+        const Range& r = ranges[i];
+        const std::size_t first = posed.first_vertex[r.object];
+        pose_range(scene.meshes[scene.objects[r.object].mesh], poses[r.object], map, r.begin, r.end,
+                   posed.vertices.data() + first, posed.attributes.data() + first);
+    });
+    return posed;
+}
+
+}  // namespace sheer

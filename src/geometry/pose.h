@@ -1,0 +1,68 @@
+// The scene's vertices as the camera sees them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <sheer/scene.h>
+
+#include "geometry/triangles.h"
+#include "scene/camera.h"
+
+namespace sheer {
+
+// From view space to the picture, in 32-bit floats.
+struct ScreenMap {
+    bool orthographic;
+    float scale_x, scale_y;         // view space to [-1, 1] (after division by w)
+    float half_width, half_height;  // of the picture, in subpixels
+    float near_depth;               // least distance along the axis of view
+    float far_depth;                // greatest, or infinity
+
+    // The guard band's half size, from the picture's centre. Coordinates on the screen stay below
+    // 2^23 subpixels: sums of two products of their differences then fit the rasteriser's integers.
+    static constexpr float kGuardBand = 32000.0f * kSubpixels;
+    float guard_x() const { return kGuardBand - half_width; }
+    float guard_y() const { return kGuardBand - half_height; }
+
+    ScreenMap(const Projection& projection, int width, int height);
+};
+
+// Planes that a vertex is beyond.
+enum Outside : std::uint32_t {
+    kNear = 1,
+    kFar = 2,
+    kLeft = 4,  // of the guard band, from here on
+    kRight = 8,
+    kTop = 16,
+    kBottom = 32,
+};
+
+struct PosedVertex {
+    float x, y, w;   // view space, scaled: screen position is (x, y) / w (w = 1: orthographic)
+    float distance;  // along the axis of view
+    float depth;     // Triangle::depth
+    std::int32_t screen_x, screen_y;  // subpixels; valid where outside == 0
+    std::uint32_t outside;
+};
+
+// `x`, `y` scaled by ScreenMap::scale; sets the rest. A snapped vertex at the same place always
+// comes out with the same bits, so shared vertices stay shared.
+PosedVertex pose_vertex(float x, float y, float distance, const ScreenMap& map);
+
+// Fills in screen_x, screen_y and depth from the rest, for a vertex inside all planes.
+void snap_vertex(PosedVertex& v, const ScreenMap& map);
+
+struct PosedScene {
+    std::vector<PosedVertex> vertices;
+    std::vector<Attributes> attributes;          // of the same vertices
+    std::vector<std::uint32_t> first_vertex;     // of each object
+    std::vector<std::uint32_t> first_primitive;  // of each object: primitive ids follow Object::id
+    std::vector<bool> mirrored;                  // objects whose transform turns the winding round
+};
+
+// Throws Error(Fault::input) when the scene has more than 2^31 vertices or 2^32 triangles.
+PosedScene pose_scene(const Scene& scene, const Projection& projection, const ScreenMap& map,
+                      int threads);
+
+}  // namespace sheer

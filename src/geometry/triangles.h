@@ -1,0 +1,67 @@
+// What the geometry stage hands on: triangles that are posed, clipped and snapped to the 1/256
+// pixel grid. The rasteriser and the reference both start from here, so that they speak of the same
+// surfaces to the last bit.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include <sheer/scene.h>
+
+namespace sheer {
+
+inline constexpr int kSubpixelBits = 8;
+inline constexpr int kSubpixels = 1 << kSubpixelBits;  // steps of the grid in one pixel
+
+struct Attributes {
+    Float3 normal;  // world space, not normalised; perspective-correct like the colour
+    Float4 color;   // vertex colour, linear straight RGBA
+};
+
+// One triangle on the screen. With (x, y) to the right and down, vertices 0, 1, 2 turn so that
+//   twice_area = (x1 - x0) (y2 - y0) - (x2 - x0) (y1 - y0)  >  0
+// whichever side is seen.
+struct Triangle {
+    std::int32_t x[3], y[3];  // 1/256 pixel from the picture's top left corner, |x|, |y| < 2^23
+    // Affine on the screen and growing away from the eye: -1/w (w: distance along the axis of view)
+    // under a perspective camera, that distance itself under an orthographic one.
+    float depth[3];
+    std::uint32_t vertex[3];    // see Geometry::attributes_of
+    std::uint32_t primitive;    // stable identity of the source triangle; pieces of a clip share it
+    std::uint32_t object : 31;  // index into Scene::objects
+    std::uint32_t back_facing : 1;  // seen from behind: the normal is to be turned
+};
+
+// Least and greatest sample coordinates in a pixel, subpixels: a triangle between samples is
+// dropped.
+struct SampleExtent {
+    int x_min = 0, x_max = 0, y_min = 0, y_max = 0;
+};
+
+// Triangles in their order of submission, cut into chunks that were made independently.
+struct TriangleChunk {
+    std::vector<Triangle> triangles;
+    std::vector<Attributes> clipped;  // of vertices that clipping made
+    // Triangles that touch tile t: tile_triangles[tile_begin[t] .. tile_begin[t + 1]), in order.
+    std::vector<std::uint32_t> tile_begin;
+    std::vector<std::uint32_t> tile_triangles;
+};
+
+// High bit of Triangle::vertex: an index into its chunk's `clipped`; else into
+// Geometry::attributes.
+inline constexpr std::uint32_t kClippedVertex = 0x80000000u;
+
+struct Geometry {
+    std::vector<Attributes> attributes;
+    std::vector<TriangleChunk> chunks;
+    bool orthographic = false;
+    std::uint64_t submitted = 0;  // triangles of the scene's objects, before culling
+
+    const Attributes& attributes_of(const TriangleChunk& chunk, std::uint32_t vertex) const
+    {
+        return (vertex & kClippedVertex) != 0 ? chunk.clipped[vertex & ~kClippedVertex]
+                                              : attributes[vertex];
+    }
+};
+
+}  // namespace sheer

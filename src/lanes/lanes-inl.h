@@ -1,0 +1,154 @@
+// real, whole and mask: a vector of floats, of 32-bit integers and of truth values, with operators,
+// so that vector code reads like the formula it implements. Compiled once for each target.
+//
+// Every operation is one IEEE operation a lane (no fused or approximate ones), so that all targets
+// give the same bits.
+#if defined(SHEER_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHEER_LANES_INL_H
+#undef SHEER_LANES_INL_H
+#else
+#define SHEER_LANES_INL_H
+#endif
+
+#include <cstdint>
+
+#include "lanes/targets.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace sheer::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+template <int Most>
+struct Lanes {
+    // Up to `Most` lanes, fewer where the target's vectors are shorter.
+    using F = hn::CappedTag<float, static_cast<std::size_t>(Most)>;
+    using I = hn::RebindToSigned<F>;
+    using U = hn::RebindToUnsigned<F>;
+    static constexpr int kCount = static_cast<int>(hn::MaxLanes(F()));
+
+    struct mask {
+        hn::Mask<F> m;
+        friend HWY_INLINE mask operator&(mask a, mask b) { return {hn::And(a.m, b.m)}; }
+        friend HWY_INLINE mask operator|(mask a, mask b) { return {hn::Or(a.m, b.m)}; }
+        friend HWY_INLINE mask operator!(mask a) { return {hn::Not(a.m)}; }
+        HWY_INLINE bool any() const { return !hn::AllFalse(F(), m); }
+        HWY_INLINE bool all() const { return hn::AllTrue(F(), m); }
+        // Lane i in bit i.
+        HWY_INLINE std::uint32_t bits() const
+        {
+            std::uint8_t bytes[8] = {};
+            hn::StoreMaskBits(F(), m, bytes);
+            const std::uint32_t both = bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+            return both & ((1u << kCount) - 1u);
+        }
+        HWY_INLINE int count() const { return static_cast<int>(hn::CountTrue(F(), m)); }
+    };
+
+    struct real {
+        hn::Vec<F> v;
+        real() = default;
+        HWY_INLINE real(hn::Vec<F> x) : v(x) {}
+        HWY_INLINE explicit real(float x) : v(hn::Set(F(), x)) {}
+        static HWY_INLINE real load(const float* p) { return hn::LoadU(F(), p); }
+        HWY_INLINE void store(float* p) const { hn::StoreU(v, F(), p); }
+        friend HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
+        friend HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
+        friend HWY_INLINE real operator*(real a, real b) { return hn::Mul(a.v, b.v); }
+        friend HWY_INLINE real operator/(real a, real b) { return hn::Div(a.v, b.v); }
+        friend HWY_INLINE mask operator<(real a, real b) { return {hn::Lt(a.v, b.v)}; }
+        friend HWY_INLINE mask operator>(real a, real b) { return {hn::Gt(a.v, b.v)}; }
+        friend HWY_INLINE mask operator<=(real a, real b) { return {hn::Le(a.v, b.v)}; }
+        friend HWY_INLINE mask operator>=(real a, real b) { return {hn::Ge(a.v, b.v)}; }
+        friend HWY_INLINE mask operator==(real a, real b) { return {hn::Eq(a.v, b.v)}; }
+    };
+
+    struct whole {
+        hn::Vec<I> v;
+        whole() = default;
+        HWY_INLINE whole(hn::Vec<I> x) : v(x) {}
+        HWY_INLINE explicit whole(std::int32_t x) : v(hn::Set(I(), x)) {}
+        static HWY_INLINE whole load(const std::int32_t* p) { return hn::LoadU(I(), p); }
+        static HWY_INLINE whole load(const std::uint32_t* p)
+        {
+            return hn::BitCast(I(), hn::LoadU(U(), p));
+        }
+        HWY_INLINE void store(std::int32_t* p) const { hn::StoreU(v, I(), p); }
+        HWY_INLINE void store(std::uint32_t* p) const { hn::StoreU(hn::BitCast(U(), v), U(), p); }
+        // Wraps around, like unsigned arithmetic.
+        friend HWY_INLINE whole operator+(whole a, whole b) { return hn::Add(a.v, b.v); }
+        friend HWY_INLINE whole operator-(whole a, whole b) { return hn::Sub(a.v, b.v); }
+        friend HWY_INLINE whole operator*(whole a, whole b) { return hn::Mul(a.v, b.v); }
+        friend HWY_INLINE whole operator&(whole a, whole b) { return hn::And(a.v, b.v); }
+        friend HWY_INLINE whole operator|(whole a, whole b) { return hn::Or(a.v, b.v); }
+        friend HWY_INLINE whole operator~(whole a) { return hn::Not(a.v); }
+        friend HWY_INLINE mask operator<(whole a, whole b)
+        {
+            return {hn::RebindMask(F(), hn::Lt(a.v, b.v))};
+        }
+        friend HWY_INLINE mask operator==(whole a, whole b)
+        {
+            return {hn::RebindMask(F(), hn::Eq(a.v, b.v))};
+        }
+        template <int Bits>
+        HWY_INLINE whole shift_left() const
+        {
+            return hn::ShiftLeft<Bits>(v);
+        }
+        // Zeros come in from above.
+        template <int Bits>
+        HWY_INLINE whole shift_right() const
+        {
+            return hn::BitCast(I(), hn::ShiftRight<Bits>(hn::BitCast(U(), v)));
+        }
+        HWY_INLINE whole shift_right_by(int bits) const
+        {
+            return hn::BitCast(I(), hn::ShiftRightSame(hn::BitCast(U(), v), bits));
+        }
+        HWY_INLINE whole population_count() const
+        {
+            return hn::BitCast(I(), hn::PopulationCount(hn::BitCast(U(), v)));
+        }
+        // Writes the lanes of `m` one after the other; up to kCount values past them are touched.
+        HWY_INLINE void store_packed(mask m, std::uint32_t* p) const
+        {
+            hn::CompressStore(hn::BitCast(U(), v), hn::RebindMask(U(), m.m), U(), p);
+        }
+    };
+
+    static HWY_INLINE whole iota() { return hn::Iota(I(), 0); }
+    static HWY_INLINE real to_real(whole a) { return hn::ConvertTo(F(), a.v); }
+    static HWY_INLINE real select(mask m, real a, real b) { return hn::IfThenElse(m.m, a.v, b.v); }
+    static HWY_INLINE whole select(mask m, whole a, whole b)
+    {
+        return hn::IfThenElse(hn::RebindMask(I(), m.m), a.v, b.v);
+    }
+    static HWY_INLINE real zero_unless(mask m, real a) { return hn::IfThenElseZero(m.m, a.v); }
+    // By comparison: the targets' own instructions differ in the sign of zero.
+    static HWY_INLINE real max(real a, real b) { return select(a > b, a, b); }
+    static HWY_INLINE real min(real a, real b) { return select(a < b, a, b); }
+    static HWY_INLINE real sqrt(real a) { return hn::Sqrt(a.v); }
+    static HWY_INLINE whole gather(const std::uint32_t* base, whole index)
+    {
+        return hn::BitCast(I(), hn::GatherIndex(U(), base, index.v));
+    }
+    static HWY_INLINE mask less_unsigned(whole a, whole b)
+    {
+        const whole sign(INT32_MIN);
+        return (a + sign) < (b + sign);
+    }
+    static HWY_INLINE mask first(int n) { return {hn::FirstN(F(), static_cast<std::size_t>(n))}; }
+    // Lane i takes bit i of `bits`.
+    static HWY_INLINE mask mask_of_bits(std::uint32_t bits)
+    {
+        const auto bit = hn::Shl(hn::Set(U(), 1u), hn::Iota(U(), 0));
+        return {hn::RebindMask(F(), hn::TestBit(hn::Set(U(), bits), bit))};
+    }
+};
+
+}  // namespace sheer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHEER_LANES_INL_H

@@ -1,0 +1,102 @@
+// ID[:NAME=VALUE]... against the table.
+#include <algorithm>
+#include <charconv>
+
+#include <sheer/error.h>
+
+#include "methods/method.h"
+
+namespace sheer {
+
+namespace {
+
+std::vector<std::string_view> split(std::string_view text, char separator)
+{
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+std::string quoted(std::string_view text)
+{
+    return "'" + std::string(text) + "'";
+}
+
+const MethodRow& find_row(std::string_view id)
+{
+    std::string known;
+    for (const MethodRow& row : method_table()) {
+        if (row.id == id) return row;
+        if (!row.bench_only) known += (known.empty() ? "" : ", ") + std::string(row.id);
+    }
+    throw Error(Fault::input, "method: there is no method " + quoted(id) + "; there are " + known);
+}
+
+std::size_t find_parameter(const MethodRow& row, std::string_view name)
+{
+    std::string known;
+    for (std::size_t i = 0; i < row.parameters.size(); ++i) {
+        if (row.parameters[i].name == name) return i;
+        known += (i == 0 ? "" : ", ") + std::string(row.parameters[i].name);
+    }
+    throw Error(Fault::input, "method: " + std::string(row.id) + " has no parameter " +
+                                  quoted(name) +
+                                  (known.empty() ? "; it has none" : "; it has " + known));
+}
+
+bool allowed(const Parameter& parameter, std::string_view value)
+{
+    const std::string_view values = parameter.values;
+    const std::size_t dots = values.find("..");
+    if (dots == std::string_view::npos) {
+        const auto choices = split(values, '|');
+        return std::find(choices.begin(), choices.end(), value) != choices.end();
+    }
+    const auto number = [](std::string_view text, long& result) {
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
+        return error == std::errc() && end == text.data() + text.size();
+    };
+    long least = 0, most = 0, chosen = 0;
+    return number(values.substr(0, dots), least) && number(values.substr(dots + 2), most) &&
+           number(value, chosen) && chosen >= least && chosen <= most;
+}
+
+}  // namespace
+
+std::string ChosenMethod::parameters_text() const
+{
+    std::string text;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text += (i == 0 ? "" : ":") + std::string(row->parameters[i].name) + "=" + values[i];
+    }
+    return text;
+}
+
+ChosenMethod choose_method(std::string_view text)
+{
+    const auto parts = split(text, ':');
+    ChosenMethod chosen{&find_row(parts[0]), {}};
+    for (const Parameter& p : chosen.row->parameters) chosen.values.emplace_back(p.standard);
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const std::size_t equals = parts[i].find('=');
+        if (equals == std::string_view::npos) {
+            throw Error(Fault::input, "method: " + quoted(parts[i]) + " is not NAME=VALUE");
+        }
+        const std::string_view value = parts[i].substr(equals + 1);
+        const std::size_t at = find_parameter(*chosen.row, parts[i].substr(0, equals));
+        const Parameter& parameter = chosen.row->parameters[at];
+        if (!allowed(parameter, value)) {
+            throw Error(Fault::input, "method: " + std::string(chosen.row->id) + ": " +
+                                          parameter.name + " is " + parameter.values + ", not " +
+                                          quoted(value));
+        }
+        chosen.values[at] = value;
+    }
+    return chosen;
+}
+
+}  // namespace sheer

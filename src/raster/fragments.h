@@ -1,0 +1,58 @@
+// The stream of a tile's transparent fragments: rasterised and shaded once, for every pass of every
+// method.
+#pragma once
+
+#include <cstdint>
+
+#include "geometry/tile_grid.h"
+#include "support/aligned.h"
+
+namespace sheer {
+
+// Fragments [first, first + count) of the stream come from one triangle, each from another pixel.
+struct FragmentRun {
+    std::uint32_t first, count;
+    std::uint32_t primitive;     // stable identity; breaks ties in depth
+    std::uint32_t object;        // index into Scene::objects
+    float depth_dx, depth_dy;    // of depth, in pixels to the right and down
+    float depth_min, depth_max;  // of the triangle; depth at a sample is clamped to them
+};
+
+// Structure of arrays; kSlack values past `size` may be written to.
+struct FragmentStream {
+    static constexpr int kSlack = 16;  // one vector
+
+    int capacity = 0;
+    int size = 0;
+    int run_count = 0;
+    AlignedArray<FragmentRun> runs;
+    AlignedArray<std::uint32_t> pixel;         // row * kTileSize + column in the tile
+    AlignedArray<std::uint32_t> samples;       // covered and visible, samples 0 to 31: bit i
+    AlignedArray<std::uint32_t> samples_high;  // samples 32 to 63
+    AlignedArray<float> depth;                 // at the pixel's centre, not clamped
+    AlignedArray<float> red, green, blue;      // straight, linear radiance
+    AlignedArray<float> opacity;               // in (0, 1]
+
+    FragmentStream() = default;
+    explicit FragmentStream(int most)
+        : capacity(most),
+          runs(most),
+          pixel(most + kSlack),
+          samples(most + kSlack),
+          samples_high(most + kSlack),
+          depth(most + kSlack),
+          red(most + kSlack),
+          green(most + kSlack),
+          blue(most + kSlack),
+          opacity(most + kSlack)
+    {
+    }
+
+    void clear() { size = run_count = 0; }
+    std::uint64_t sample_bits(int i) const
+    {
+        return samples[i] | static_cast<std::uint64_t>(samples_high[i]) << 32;
+    }
+};
+
+}  // namespace sheer

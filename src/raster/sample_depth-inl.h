@@ -1,0 +1,36 @@
+// Depth at a pixel's samples from depth at its centre.
+#if defined(SHEER_SAMPLE_DEPTH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHEER_SAMPLE_DEPTH_INL_H
+#undef SHEER_SAMPLE_DEPTH_INL_H
+#else
+#define SHEER_SAMPLE_DEPTH_INL_H
+#endif
+
+#include "lanes/lanes-inl.h"
+#include "raster/sample_set.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sheer::HWY_NAMESPACE {
+
+struct DepthPlane {
+    float dx, dy;       // a pixel to the right and down
+    float least, most;  // over the triangle
+};
+
+// Samples first, first + 1, ... of one pixel. The one expression for depth at a sample: whatever
+// compares depths compares the same bits.
+template <class L>
+HWY_INLINE typename L::real sample_depth(const DepthPlane& plane, const SampleSet& set,
+                                         float center, std::size_t first)
+{
+    using real = typename L::real;
+    const real x = real::load(set.offset_x.data() + first);
+    const real y = real::load(set.offset_y.data() + first);
+    const real depth = real(center) + (x * real(plane.dx) + y * real(plane.dy));
+    return L::min(L::max(depth, real(plane.least)), real(plane.most));
+}
+
+}  // namespace sheer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHEER_SAMPLE_DEPTH_INL_H

@@ -1,0 +1,28 @@
+// A sample pattern with what coverage and centroids need of it at hand.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "geometry/triangles.h"
+#include "raster/sample_pattern.h"
+
+namespace sheer {
+
+struct SampleSet {
+    int count = 0;
+    bool centered = false;  // all at the pixel's centre: a pixel is covered as a whole
+    std::array<std::int32_t, kMaxSamples> x = {}, y = {};  // 1/256 pixel, from the top left corner
+    SampleExtent extent;
+    // Offsets from the pixel's centre, in pixels.
+    alignas(64) std::array<float, kMaxSamples> offset_x = {}, offset_y = {};
+    // position_sums[byte][bits]: over the samples 8 byte + i with bit i set, the sum of x in the
+    // lower and of y in the upper half of the word.
+    std::array<std::array<std::uint32_t, 256>, kMaxSamples / 8> position_sums = {};
+
+    std::uint64_t all() const { return count == kMaxSamples ? ~0ull : (1ull << count) - 1; }
+};
+
+SampleSet make_sample_set(int samples, SamplePositions positions);
+
+}  // namespace sheer

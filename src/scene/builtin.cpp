@@ -1,0 +1,45 @@
+// The table of built-in scenes, and the way from "NAME?key=value&..." to one of them.
+#include "scene/builtin.h"
+
+#include <array>
+
+#include <sheer/error.h>
+
+#include "scene/builtin/query.h"
+#include "scene/builtin/scenes.h"
+
+namespace sheer {
+namespace {
+
+constexpr std::array kScenes = {
+    BuiltinScene{"layers", "full-screen layers whose colour is known in closed form",
+                 "n=2&alpha=0.45&color=1,0,0;0,1,0&depth=1,2&order=near-to-far&seed=0"
+                 "&background=0,0,1",
+                 make_layers},
+    BuiltinScene{"quads", "white ramps, split quads and tilted stacks on black",
+                 "layers=8&split=32", make_quads},
+    BuiltinScene{"motor", "322 thousand triangles of nested machine parts, white, alpha 0.3",
+                 "alpha=0.3&detail=1", make_motor},
+};
+
+}  // namespace
+
+std::span<const BuiltinScene> builtin_scenes()
+{
+    return kScenes;
+}
+
+Scene make_builtin(const std::string& name_and_query)
+{
+    const std::size_t mark = name_and_query.find('?');
+    const std::string name = name_and_query.substr(0, mark);
+    const std::string query = mark == std::string::npos ? "" : name_and_query.substr(mark + 1);
+    std::string known;
+    for (const BuiltinScene& scene : kScenes) {
+        if (name == scene.name) return scene.make(Query(name, query, scene.parameters));
+        known += (known.empty() ? "" : ", ") + std::string(scene.name);
+    }
+    throw Error(Fault::input, "builtin:" + name + ": no such scene; there are " + known);
+}
+
+}  // namespace sheer

@@ -1,0 +1,231 @@
+// The motor's casings, cut open towards the eye, and what is bolted to them.
+#include "scene/builtin/motor_parts.h"
+#include "support/math.h"
+
+namespace sheer::motor {
+namespace {
+
+using shapes::add_box;
+using shapes::add_lathe;
+using shapes::add_placed;
+using shapes::Lathe;
+using shapes::polar;
+using shapes::ProfilePoint;
+using shapes::Solid;
+using shapes::Tube;
+
+constexpr double kCutFrom = kWindowTo;  // what is left after the window
+constexpr double kCutTo = kWindowFrom + kTurn;
+
+// A wall of revolution with the window left open. `inside` follows `outside` point by point.
+void add_wall(Solid& solid, const std::vector<ProfilePoint>& outside,
+              const std::vector<ProfilePoint>& inside, int segments)
+{
+    Lathe lathe{outside, segments, true, kCutFrom, kCutTo};
+    lathe.profile.insert(lathe.profile.end(), inside.rbegin(), inside.rend());
+    add_lathe(solid, lathe);
+}
+
+}  // namespace
+
+Solid frame(const Detail& detail)
+{
+    constexpr int kFins = 38;
+    shapes::Prism prism;
+    const double pitch = (kCutTo - kCutFrom) / kFins;
+    for (int i = 0; i < kFins; ++i) {
+        const auto add = [&](double part, double r) {
+            prism.outer.push_back({kCutFrom + (i + part) * pitch, r});
+        };
+        add(0, 1.0);
+        add(0.32, 1.0);
+        add(0.42, 1.10);
+        add(0.58, 1.10);
+        add(0.68, 1.0);
+    }
+    prism.outer.push_back({kCutTo, 1.0});
+    prism.inner = shapes::at_radius(prism.outer, 0.955);
+    prism.from = -0.90;
+    prism.to = 0.90;
+    prism.slices = detail.count(10, 1);
+    prism.open = true;
+    Solid solid;
+    shapes::add_prism(solid, prism);
+    return solid;
+}
+
+Solid end_bell(const Detail& detail)
+{
+    Solid solid;
+    add_wall(solid,
+             {{0.0, 1.04}, {0.05, 1.04}, {0.05, 0.98}, {0.12, 0.93}, {0.17, 0.80}, {0.20, 0.60},
+              {0.22, 0.40}, {0.30, 0.36}, {0.31, 0.34}},
+             {{0.0, 0.94}, {0.01, 0.94}, {0.04, 0.92}, {0.08, 0.88}, {0.13, 0.77}, {0.15, 0.60},
+              {0.15, 0.30}, {0.28, 0.30}, {0.31, 0.30}},
+             detail.count(96, 8));
+    // Ribs from the hub to the rim.
+    for (int i = 0; i < 12; ++i) {
+        const double angle = kCutFrom + (kCutTo - kCutFrom) * (i + 0.5) / 12;
+        Solid rib;
+        add_box(rib, {0.20, 0.41, -0.012}, {0.26, 0.84, 0.012}, 0.005);
+        add_placed(solid, rib, shapes::turned_about_x(angle));
+    }
+    return solid;
+}
+
+Solid fan_cowl(const Detail& detail)
+{
+    Solid solid;
+    const int segments = detail.count(96, 8);
+    add_wall(solid, {{-0.52, 0.86}, {-0.47, 0.955}, {-0.40, 0.975}, {0.0, 0.975}},
+             {{-0.51, 0.85}, {-0.46, 0.94}, {-0.40, 0.96}, {0.0, 0.96}}, segments);
+    // The grille: wires on circles, held by spokes.
+    const int around = detail.count(8, 4);
+    for (int ring = 0; ring < 7; ++ring) {
+        Lathe wire{{}, segments, true};
+        for (int i = 0; i < around; ++i) {
+            const double angle = -kTurn * i / around;  // clockwise in (x, r)
+            wire.profile.push_back({-0.515 + 0.009 * own_cos(angle),
+                                    0.15 + 0.11 * ring + 0.009 * own_sin(angle)});
+        }
+        add_lathe(solid, wire);
+    }
+    for (int i = 0; i < 6; ++i) {
+        const double angle = kTurn * (i + 0.5) / 6;
+        shapes::add_tube(solid, {{polar(-0.50, 0.13, angle), polar(-0.50, 0.5, angle),
+                                  polar(-0.50, 0.845, angle)},
+                                 {{1, 0, 0}},
+                                 0.010,
+                                 detail.count(10, 4)});
+    }
+    return solid;
+}
+
+Solid gear_casing(const Detail& detail)
+{
+    Solid solid;
+    add_wall(solid,
+             {{0.0, 1.04}, {0.05, 1.04}, {0.05, 0.97}, {0.10, 0.95}, {0.98, 0.95}, {1.10, 0.90},
+              {1.20, 0.74}, {1.26, 0.52}, {1.45, 0.47}, {1.47, 0.45}},
+             {{0.0, 0.90}, {0.02, 0.90}, {0.05, 0.90}, {0.10, 0.90}, {0.96, 0.90}, {1.06, 0.85},
+              {1.15, 0.70}, {1.21, 0.43}, {1.45, 0.43}, {1.47, 0.43}},
+             detail.count(96, 8));
+    for (int i = 0; i < 8; ++i) {
+        const double angle = kCutFrom + (kCutTo - kCutFrom) * (i + 0.5) / 8;
+        Solid rib;
+        add_box(rib, {1.16, 0.54, -0.018}, {1.34, 0.82, 0.018}, 0.007);
+        add_placed(solid, rib, shapes::turned_about_x(angle));
+    }
+    return solid;
+}
+
+Solid terminal_box()
+{
+    // Four walls and a floor; the lid is a part of its own.
+    Solid solid;
+    add_box(solid, {-0.32, 1.17, -0.27}, {0.32, 1.20, 0.27}, 0.006);
+    add_box(solid, {-0.32, 1.202, -0.27}, {-0.29, 1.45, 0.27}, 0.006);
+    add_box(solid, {0.29, 1.202, -0.27}, {0.32, 1.45, 0.27}, 0.006);
+    add_box(solid, {-0.288, 1.202, -0.27}, {0.288, 1.45, -0.24}, 0.006);
+    add_box(solid, {-0.288, 1.202, 0.24}, {0.288, 1.45, 0.27}, 0.006);
+    return solid;
+}
+
+Solid terminal_lid()
+{
+    Solid solid;
+    add_box(solid, {-0.35, 1.46, -0.30}, {0.35, 1.51, 0.30}, 0.015);
+    return solid;
+}
+
+Solid cable_gland(const Detail& detail)
+{
+    Solid solid;
+    const int segments = detail.count(24, 6);
+    add_lathe(solid, {{{0, 0.075}, {0.02, 0.085}, {0.07, 0.085}, {0.09, 0.065}, {0.15, 0.060},
+                       {0.15, 0.045}, {0, 0.045}},
+                      segments,
+                      true});
+    // The cable hangs from it.
+    const int steps = detail.count(32, 4);
+    Tube cable;
+    cable.radius = 0.040;
+    cable.segments = detail.count(16, 5);
+    cable.sides = {{0, 0, 1}};
+    for (int i = 0; i <= steps; ++i) {
+        const double t = static_cast<double>(i) / steps;
+        cable.points.push_back({-0.08 + 0.42 * own_sin(1.4 * t), 0.10 * t * t - 0.62 * t * t * t,
+                                0.10 * t * t});
+    }
+    shapes::add_tube(solid, cable);
+    return solid;
+}
+
+Solid terminal_stud(const Detail& detail)
+{
+    Solid solid;
+    const int segments = detail.count(16, 6);
+    add_lathe(solid, {{{0, 0.045}, {0.03, 0.045}, {0.035, 0.03}, {0.04, 0.018}, {0.13, 0.018},
+                       {0.135, 0.012}},
+                      segments});
+    add_lathe(solid, {{{0.055, 0.034}, {0.085, 0.034}, {0.085, 0.02}, {0.055, 0.02}}, 6, true});
+    return solid;
+}
+
+Solid lifting_eye(const Detail& detail)
+{
+    Solid solid;
+    const int steps = detail.count(48, 8);
+    Tube ring;
+    ring.radius = 0.026;
+    ring.segments = detail.count(16, 5);
+    ring.looped = true;
+    ring.sides = {{0, 0, 1}};
+    for (int i = 0; i < steps; ++i) {
+        const double angle = kTurn * i / steps;
+        ring.points.push_back({0.095 * own_cos(angle), 0.17 + 0.095 * own_sin(angle), 0});
+    }
+    shapes::add_tube(solid, ring);
+    Solid stem;
+    add_lathe(stem, {{{0, 0.075}, {0.03, 0.075}, {0.045, 0.04}, {0.085, 0.035}},
+                     detail.count(24, 6)});
+    add_placed(solid, stem, shapes::turned_about_z(shapes::kPi / 2));
+    return solid;
+}
+
+Solid foot()
+{
+    Solid solid;
+    add_box(solid, {-0.20, -1.22, 0.46}, {0.20, -1.16, 0.92}, 0.012);  // sole
+    add_box(solid, {-0.17, -1.158, 0.50}, {-0.13, -0.84, 0.80}, 0.008);  // webs
+    add_box(solid, {0.13, -1.158, 0.50}, {0.17, -0.84, 0.80}, 0.008);
+    return solid;
+}
+
+Solid base_plate(const Detail& detail)
+{
+    Solid solid;
+    add_box(solid, {-1.55, -1.30, -1.02}, {2.05, -1.225, 1.02}, 0.02);
+    for (int side = -1; side <= 1; side += 2) {
+        const double z = 0.78 * side;
+        add_box(solid, {-1.50, -1.46, z - 0.10}, {2.00, -1.43, z + 0.10}, 0.008);
+        add_box(solid, {-1.50, -1.428, z - 0.015}, {2.00, -1.302, z + 0.015}, 0.005);
+    }
+    // Cooling oil in a loop of pipe under the plate's rim.
+    const int steps = detail.count(64, 8);
+    Tube pipe;
+    pipe.radius = 0.024;
+    pipe.segments = detail.count(12, 4);
+    pipe.looped = true;
+    pipe.sides = {{0, 1, 0}};
+    for (int i = 0; i < steps; ++i) {
+        const double c = own_cos(kTurn * i / steps), s = own_sin(kTurn * i / steps);
+        // A circle, squared off: c and s against their larger power.
+        const double fill = 1 / std::sqrt(std::sqrt(c * c * c * c + s * s * s * s));
+        pipe.points.push_back({0.25 + 1.60 * c * fill, -1.365, 0.58 * s * fill});
+    }
+    shapes::add_tube(solid, pipe);
+    return solid;
+}
+
+}  // namespace sheer::motor

@@ -1,0 +1,14 @@
+// One function for each built-in scene, called by the table in builtin.cpp.
+#pragma once
+
+#include <sheer/scene.h>
+
+namespace sheer {
+
+class Query;
+
+Scene make_layers(const Query& query);
+Scene make_quads(const Query& query);
+Scene make_motor(const Query& query);
+
+}  // namespace sheer

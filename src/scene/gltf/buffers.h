@@ -1,0 +1,34 @@
+// The binary data behind a glTF file, brought into memory when something first needs it.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+
+#include "scene/file.h"
+#include "scene/gltf/document.h"
+#include "scene/gltf/notes.h"
+
+namespace sheer::gltf {
+
+struct BufferView {
+    std::span<const std::uint8_t> bytes;  // what is there; less than `length` of a damaged buffer
+    std::uint64_t length = 0;             // as declared
+    std::uint64_t stride = 0;             // 0: elements follow each other
+};
+
+class Buffers {
+public:
+    // `reference` is the place that holds the bufferView's number.
+    BufferView view(const Document& document, const Value& reference, Notes& notes);
+
+private:
+    std::span<const std::uint8_t> content(const Document& document, std::size_t index, Notes& notes);
+
+    std::map<std::size_t, std::span<const std::uint8_t>> contents_;  // by buffer, cut to its length
+    std::map<std::size_t, Bytes> decoded_;                           // by buffer, from data URIs
+    std::map<std::string, Bytes> files_;  // by path: several buffers may name one file
+};
+
+}  // namespace sheer::gltf

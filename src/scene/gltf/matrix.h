@@ -1,0 +1,31 @@
+// Transforms of nodes, in double: the product of a long chain is rounded to float once.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include <sheer/scene.h>
+
+namespace sheer::gltf {
+
+using Matrix = std::array<double, 16>;  // column-major; the last row is 0 0 0 1
+
+inline constexpr Matrix kIdentityMatrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+
+struct Placement {
+    std::array<double, 3> translation = {0, 0, 0};
+    std::array<double, 4> rotation = {0, 0, 0, 1};  // a unit quaternion, x y z w
+    std::array<double, 3> scale = {1, 1, 1};
+};
+
+Matrix multiply(const Matrix& a, const Matrix& b);
+Matrix matrix_of(const Placement& placement);
+
+// Nothing when a number is too large for a float.
+std::optional<Mat4> to_float(const Matrix& m);
+
+// The same place and direction without scale, shear and mirroring: -z and then y keep their
+// directions as far as they can. Nothing when they have none.
+std::optional<Matrix> rigid(const Matrix& m);
+
+}  // namespace sheer::gltf

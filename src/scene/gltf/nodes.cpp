@@ -1,0 +1,171 @@
+// Scenes and the node hierarchy (glTF 2.0, sections 3.5.1 to 3.5.3).
+//
+// glTF's nodes form trees. A node that is reached twice, by a circle or through two parents, is
+// refused: followed blindly, a short file could stand for any number of objects.
+
+#include "scene/gltf/nodes.h"
+
+#include <cmath>
+#include <map>
+
+#include "scene/gltf/materials.h"
+#include "scene/gltf/mesh.h"
+
+namespace sheer::gltf {
+
+namespace {
+
+constexpr std::size_t kMaxObjects = std::size_t{1} << 22;
+constexpr std::uint64_t kMaxTriangles = std::uint64_t{1} << 31;  // with instances
+
+Matrix read_matrix(const Value& value, const Matrix& numbers)
+{
+    for (std::size_t c = 0; c < 4; ++c) {
+        // Writers that invert matrices leave rounding in the last row.
+        if (std::abs(numbers[4 * c + 3] - kIdentityMatrix[4 * c + 3]) > 1e-5) {
+            value.fail("the last row must be 0 0 0 1");
+        }
+    }
+    Matrix matrix = numbers;
+    for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + 3] = kIdentityMatrix[4 * c + 3];
+    return matrix;
+}
+
+Matrix local_matrix(Import& import, const Value& node)
+{
+    const bool placed = node.find("translation") || node.find("rotation") || node.find("scale");
+    if (const auto value = node.find("matrix")) {
+        if (placed) {
+            import.notes.add("nodes with a matrix and translation, rotation or scale",
+                             "the matrix counts");
+        }
+        return read_matrix(*value, numbers_or<16>(node, "matrix", kIdentityMatrix));
+    }
+    if (!placed) return kIdentityMatrix;
+    Placement placement;
+    placement.translation = numbers_or<3>(node, "translation", placement.translation);
+    placement.scale = numbers_or<3>(node, "scale", placement.scale);
+    placement.rotation = numbers_or<4>(node, "rotation", placement.rotation);
+    auto& q = placement.rotation;
+    const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+    if (!(length > 1e-6) || !std::isfinite(length)) {
+        node.member("rotation").fail("must be a unit quaternion");
+    }
+    for (double& c : q) c /= length;
+    return matrix_of(placement);
+}
+
+// Every node that has no parent, for files that have no scenes.
+std::vector<std::size_t> parentless_nodes(const Document& document)
+{
+    std::vector<bool> has_parent(document.count("nodes"), false);
+    for (std::size_t i = 0; i < has_parent.size(); ++i) {
+        const auto children = document.item("nodes", i).find("children");
+        for (std::size_t c = 0; children && c < children->size(); ++c) {
+            has_parent[document.index_in("nodes", (*children)[c])] = true;
+        }
+    }
+    std::vector<std::size_t> roots;
+    for (std::size_t i = 0; i < has_parent.size(); ++i) {
+        if (!has_parent[i]) roots.push_back(i);
+    }
+    return roots;
+}
+
+std::vector<std::size_t> root_nodes(Import& import)
+{
+    const Document& document = import.document;
+    const auto chosen = document.root().find("scene");
+    const std::size_t scenes = document.count("scenes");
+    if (!chosen && scenes == 0) return parentless_nodes(document);
+    const Value scene = chosen ? document.item("scenes", *chosen) : document.item("scenes", 0);
+    if (scenes > 1) import.notes.add("other scenes", "not drawn", scenes - 1);
+    std::vector<std::size_t> roots;
+    const auto nodes = scene.find("nodes");
+    for (std::size_t i = 0; nodes && i < nodes->size(); ++i) {
+        roots.push_back(document.index_in("nodes", (*nodes)[i]));
+    }
+    return roots;
+}
+
+Mat4 require_float(const Value& node, const Matrix& world)
+{
+    if (const auto matrix = to_float(world)) return *matrix;
+    node.fail("its place in the world is infinite or not a number");
+}
+
+class ObjectLimits {
+public:
+    void count(const Value& node, const Mesh& mesh)
+    {
+        if (++objects_ > kMaxObjects) node.fail("more objects than Sheer reads (2^22)");
+        triangles_ += mesh.indices.size() / 3;
+        if (triangles_ > kMaxTriangles) {
+            node.fail("more triangles than Sheer draws (2^31, each node's counted)");
+        }
+    }
+
+private:
+    std::size_t objects_ = 0;
+    std::uint64_t triangles_ = 0;
+};
+
+}  // namespace
+
+std::vector<PlacedNode> place_nodes(Import& import)
+{
+    const Document& document = import.document;
+    std::vector<PlacedNode> placed;
+    std::vector<PlacedNode> waiting;  // with the parent's matrix; the next one last
+    std::vector<bool> reached(document.count("nodes"), false);
+    const auto reach = [&](std::size_t number, const Matrix& parent) {
+        if (reached[number]) {
+            document.item("nodes", number).fail("is reached twice: nodes must form trees");
+        }
+        reached[number] = true;
+        waiting.push_back({number, parent});
+    };
+    const std::vector<std::size_t> roots = root_nodes(import);
+    for (std::size_t i = roots.size(); i > 0; --i) reach(roots[i - 1], kIdentityMatrix);
+    while (!waiting.empty()) {
+        const PlacedNode next = waiting.back();
+        waiting.pop_back();
+        const Value node = document.item("nodes", next.number);
+        const Matrix world = multiply(next.world, local_matrix(import, node));
+        placed.push_back({next.number, world});
+        note_extensions(import, node, "nodes");
+        const auto children = node.find("children");
+        for (std::size_t c = children ? children->size() : 0; c > 0; --c) {
+            reach(document.index_in("nodes", (*children)[c - 1]), world);
+        }
+    }
+    return placed;
+}
+
+void place_objects(Import& import, const std::vector<PlacedNode>& nodes)
+{
+    Scene& scene = import.scene;
+    std::map<std::size_t, std::vector<std::uint32_t>> meshes;  // by the file's mesh, read once
+    ObjectLimits limits;
+    for (const PlacedNode& placed : nodes) {
+        const Value node = import.document.item("nodes", placed.number);
+        const auto reference = node.find("mesh");
+        if (!reference) continue;
+        const std::size_t number = import.document.index_in("meshes", *reference);
+        if (!meshes.contains(number)) {
+            meshes[number] = read_mesh(import, import.document.item("meshes", number));
+        }
+        if (node.find("skin")) import.notes.add("nodes with a skin", "drawn at rest");
+        for (const std::uint32_t mesh : meshes[number]) {
+            limits.count(node, scene.meshes[mesh]);
+            Object object;
+            object.name = name_of(node);
+            object.mesh = mesh;
+            object.transform = require_float(node, placed.world);
+            object.id = static_cast<std::uint32_t>(scene.objects.size());
+            scene.objects.push_back(std::move(object));
+        }
+    }
+}
+
+}  // namespace sheer::gltf

@@ -1,0 +1,22 @@
+// The nodes of a file's scene, each with its place in the world.
+#pragma once
+
+#include <vector>
+
+#include "scene/gltf/import.h"
+#include "scene/gltf/matrix.h"
+
+namespace sheer::gltf {
+
+struct PlacedNode {
+    std::size_t number;  // in the file's list
+    Matrix world;
+};
+
+// The default scene's nodes, a node before its children, children in their order.
+std::vector<PlacedNode> place_nodes(Import& import);
+
+// One Object for each primitive of each node's mesh, numbered in that order.
+void place_objects(Import& import, const std::vector<PlacedNode>& nodes);
+
+}  // namespace sheer::gltf

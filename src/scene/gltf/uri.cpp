@@ -1,0 +1,140 @@
+// URIs of buffers and images (glTF 2.0, section 2.8; RFC 2397 for data URIs, RFC 3986 for the rest).
+//
+// Writers differ in whether they percent-encode file names, so a name that does not exist decoded is
+// tried as it stands. Paths may lead out of the file's folder, as in other viewers: what is read is
+// only ever drawn.
+
+#include "scene/gltf/uri.h"
+
+#include <array>
+#include <filesystem>
+
+#include <sheer/error.h>
+
+namespace sheer::gltf {
+
+namespace {
+
+constexpr int kNotADigit = -1;
+
+int hex_digit(char c)
+{
+    if (c >= '0' && c <= '9') return c - '0';
+    if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+    return kNotADigit;
+}
+
+// A percent sign without two digits behind it stands for itself.
+std::string percent_decode(std::string_view text)
+{
+    std::string decoded;
+    decoded.reserve(text.size());
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const bool may_be_escape = text[i] == '%' && i + 2 < text.size();
+        const int high = may_be_escape ? hex_digit(text[i + 1]) : kNotADigit;
+        const int low = may_be_escape ? hex_digit(text[i + 2]) : kNotADigit;
+        if (high == kNotADigit || low == kNotADigit) {
+            decoded += text[i];
+        } else {
+            decoded += static_cast<char>(high * 16 + low);
+            i += 2;
+        }
+    }
+    return decoded;
+}
+
+std::array<std::int8_t, 256> make_base64_digits()
+{
+    constexpr std::string_view alphabet =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::array<std::int8_t, 256> digits;
+    digits.fill(kNotADigit);
+    for (std::size_t i = 0; i < alphabet.size(); ++i) {
+        digits[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+    }
+    return digits;
+}
+
+Bytes decode_base64(const Value& uri, std::string_view text)
+{
+    static const std::array<std::int8_t, 256> digits = make_base64_digits();
+    for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
+    if (text.size() % 4 == 1) uri.fail("the base64 data is cut off");
+    Bytes bytes;
+    bytes.reserve(text.size() / 4 * 3 + 2);
+    std::uint32_t bits = 0;  // the last digits, of which `pending` bits are not written yet
+    int pending = 0;
+    for (const char c : text) {
+        const std::int8_t digit = digits[static_cast<unsigned char>(c)];
+        if (digit == kNotADigit) uri.fail("the base64 data holds a character that is not base64");
+        bits = (bits << 6 | static_cast<std::uint32_t>(digit)) & 0xFFFFu;
+        pending += 6;
+        if (pending >= 8) {
+            pending -= 8;
+            bytes.push_back(static_cast<std::uint8_t>(bits >> pending & 0xFFu));
+        }
+    }
+    return bytes;
+}
+
+// The scheme of RFC 3986 in front of the colon, or nothing. One letter is a drive, not a scheme.
+std::string_view scheme_of(std::string_view uri)
+{
+    const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+    std::size_t end = 0;
+    while (end < uri.size() && (is_letter(uri[end]) || (uri[end] >= '0' && uri[end] <= '9') ||
+                                uri[end] == '+' || uri[end] == '-' || uri[end] == '.')) {
+        ++end;
+    }
+    const bool is_scheme = end > 1 && end < uri.size() && uri[end] == ':' && is_letter(uri[0]);
+    return is_scheme ? uri.substr(0, end) : std::string_view();
+}
+
+}  // namespace
+
+bool is_data_uri(std::string_view uri)
+{
+    return uri.starts_with("data:");
+}
+
+Bytes decode_data_uri(const Value& uri)
+{
+    const std::string_view text = uri.text();
+    const std::size_t comma = text.find(',');
+    if (comma == std::string_view::npos) uri.fail("the data URI has no comma before its data");
+    const std::string_view data = text.substr(comma + 1);
+    if (text.substr(0, comma).ends_with(";base64")) return decode_base64(uri, data);
+    const std::string decoded = percent_decode(data);
+    return Bytes(decoded.begin(), decoded.end());
+}
+
+std::string path_of_uri(const Value& uri, const std::string& base)
+{
+    namespace fs = std::filesystem;
+    const std::string& text = uri.text();
+    if (text.empty()) uri.fail("must not be empty");
+    if (const std::string_view scheme = scheme_of(text); !scheme.empty()) {
+        uri.fail(std::string(scheme.substr(0, 40)) +
+                 ": addresses are not read, only files and data URIs are");
+    }
+    const fs::path folder = fs::path(base).parent_path();
+    const std::string decoded = percent_decode(text);
+    if (decoded.find('\0') != std::string::npos) uri.fail("a path cannot hold a zero byte");
+    const fs::path as_decoded = folder / decoded;
+    const fs::path as_written = folder / text;
+    std::error_code ignored;
+    const bool only_as_written = !fs::exists(as_decoded, ignored) && fs::exists(as_written, ignored);
+    return (only_as_written ? as_written : as_decoded).string();
+}
+
+Bytes read_referenced_file(const Value& uri, const std::string& path)
+{
+    try {
+        return read_file(path);
+    } catch (const Error& e) {
+        uri.fail(e.what());
+    }
+}
+
+}  // namespace sheer::gltf

@@ -1,0 +1,24 @@
+// The addresses that a glTF file gives for its buffers and images.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "scene/file.h"
+#include "scene/gltf/value.h"
+
+namespace sheer::gltf {
+
+bool is_data_uri(std::string_view uri);
+
+// The bytes inside a data URI.
+Bytes decode_data_uri(const Value& uri);
+
+// The path of the file that a relative or absolute reference means, seen from the file at `base`.
+// Fails for addresses with a scheme: nothing is fetched from anywhere.
+std::string path_of_uri(const Value& uri, const std::string& base);
+
+// read_file, with the complaint told as one about `uri`.
+Bytes read_referenced_file(const Value& uri, const std::string& path);
+
+}  // namespace sheer::gltf

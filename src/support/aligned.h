@@ -1,0 +1,47 @@
+// Arrays that start on a cache line and whose elements start as zeros.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <new>
+#include <type_traits>
+
+namespace sheer {
+
+template <class T>
+class AlignedArray {
+    static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
+
+public:
+    AlignedArray() = default;
+    explicit AlignedArray(int size) : AlignedArray(static_cast<std::size_t>(size)) {}
+    explicit AlignedArray(std::size_t size)
+        : data_(static_cast<T*>(::operator new(size * sizeof(T), kAlignment))), size_(size)
+    {
+        std::uninitialized_value_construct_n(data_.get(), size);
+    }
+
+    T* data() { return data_.get(); }
+    const T* data() const { return data_.get(); }
+    std::size_t size() const { return size_; }
+    template <class Index>
+    T& operator[](Index i)
+    {
+        return data_.get()[i];
+    }
+    template <class Index>
+    const T& operator[](Index i) const
+    {
+        return data_.get()[i];
+    }
+
+private:
+    static constexpr std::align_val_t kAlignment{64};
+    struct Free {
+        void operator()(T* p) const { ::operator delete(p, kAlignment); }
+    };
+    std::unique_ptr<T, Free> data_;
+    std::size_t size_ = 0;
+};
+
+}  // namespace sheer
