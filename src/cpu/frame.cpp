@@ -38,7 +38,7 @@ struct FrameJob {
 
 // What one thread works with, tile after tile.
 struct Worker {
-    CoverageList list;
+    TileScratch scratch;
     OpaqueTile opaque;
     FragmentStream stream;
     SampleColors colors;
@@ -97,7 +97,7 @@ void render_tile(const FrameJob& job, int tile, Worker& worker, Image& image)
     worker.raster_shade.start();
     job.verbs.clear(worker.store.get());
     const TileJob tile_job{&job.geometry, &job.surfaces, &job.samples, tile, rect};
-    job.tile_fragments(tile_job, worker.list, worker.opaque, worker.stream,
+    job.tile_fragments(tile_job, worker.scratch, worker.opaque, worker.stream,
                        {insert_fragments, &worker});
     worker.raster_shade.stop();
 

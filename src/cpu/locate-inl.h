@@ -32,10 +32,10 @@ HWY_INLINE void centroid(const SampleSet& set, const CoverageList& list, int i, 
         covered = covered + bits.population_count();
     }
     // Lanes past the end of the list may hold no sample at all.
-    const real count = Block::max(Block::to_real(covered), real(1.0f));
+    const real share = real(1.0f) / Block::max(Block::to_real(covered), real(1.0f));
     const real half(0.5f * kSubpixels);
-    x = Block::to_real(sum & whole(0xffff)) / count - half;
-    y = Block::to_real(sum.shift_right<16>()) / count - half;
+    x = Block::to_real(sum & whole(0xffff)) * share - half;
+    y = Block::to_real(sum.shift_right<16>()) * share - half;
 }
 
 HWY_INLINE Block::real weight_at_center(const WeightPlane& w, const TrianglePlanes& planes,

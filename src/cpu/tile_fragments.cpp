@@ -6,6 +6,7 @@
 #define HWY_TARGET_INCLUDE "cpu/tile_fragments.cpp"
 #include "lanes/targets.h"
 
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
 #include "cpu/locate-inl.h"
@@ -21,56 +22,70 @@ namespace sheer::HWY_NAMESPACE {
 // One tile in the making.
 struct Tile {
     const TileJob& job;
-    CoverageList& list;
+    TileScratch& scratch;
     OpaqueTile& opaque;
     FragmentStream& stream;
     const FragmentConsumer& consumer;
-    OpaqueSamples samples;  // the functions for this number of samples
+    // The functions for this number of samples.
+    OpaqueSamples samples;
+    CoverFunction cover_narrow;
 };
 
-HWY_INLINE bool cover(const Tile& tile, const Triangle& t)
+// The part of the tile that a triangle may cover, in pixels of the picture.
+HWY_INLINE bool region_of(const Tile& tile, const Triangle& t, PixelRect& region)
+{
+    const PixelRect& rect = tile.job.rect;
+    const PixelBounds bounds = pixel_bounds(t, tile.job.samples->extent);
+    region = {std::max(rect.x0, bounds.x0), std::max(rect.y0, bounds.y0),
+              std::min(rect.x1, bounds.x1 + 1), std::min(rect.y1, bounds.y1 + 1)};
+    return region.x0 < region.x1 && region.y0 < region.y1;
+}
+
+// Appends to the list.
+HWY_INLINE void cover(const Tile& tile, const Triangle& t, const PixelRect& region,
+                      CoverageList& list)
 {
     const SampleSet& set = *tile.job.samples;
     const PixelRect& rect = tile.job.rect;
-    const PixelBounds bounds = pixel_bounds(t, set.extent);
-    const PixelRect region{std::max(rect.x0, bounds.x0), std::max(rect.y0, bounds.y0),
-                           std::min(rect.x1, bounds.x1 + 1), std::min(rect.y1, bounds.y1 + 1)};
-    tile.list.count = 0;
-    if (region.x0 >= region.x1 || region.y0 >= region.y1) return false;
     RegionEdges edges;
-    if (!make_region_edges(t, region, edges)) return false;
-    if (edges.wide) {
-        cover_wide(t, set, region, rect.x0, rect.y0, tile.list);
+    if (!make_region_edges(t, region, edges)) return;
+    const PixelRect local{region.x0 - rect.x0, region.y0 - rect.y0, region.x1 - rect.x0,
+                          region.y1 - rect.y0};
+    if (edges.inside) {
+        cover_all(set, local, list);
+    } else if (edges.wide) {
+        cover_wide(t, set, region, rect.x0, rect.y0, list);
     } else {
-        const PixelRect local{region.x0 - rect.x0, region.y0 - rect.y0, region.x1 - rect.x0,
-                              region.y1 - rect.y0};
-        cover_narrow(edges, set, local, tile.list);
+        tile.cover_narrow(edges, set, local, list);
     }
-    return tile.list.count > 0;
 }
 
-HWY_INLINE TriangleSurface surface_of(const Tile& tile, const TriangleChunk& chunk,
-                                      const Triangle& t, const Surface& surface)
+HWY_INLINE void set_surface(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
+                            const Surface& surface, TriangleSurface& result)
 {
     const Geometry& geometry = *tile.job.geometry;
     const Attributes& a0 = geometry.attributes_of(chunk, t.vertex[0]);
     const Attributes& a1 = geometry.attributes_of(chunk, t.vertex[1]);
     const Attributes& a2 = geometry.attributes_of(chunk, t.vertex[2]);
-    TriangleSurface result;
     result.side = t.back_facing ? -1.0f : 1.0f;
     if (!surface.unlit) result.normal.set(a0.normal, a1.normal, a2.normal);
     if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
-    return result;
 }
 
-HWY_INLINE void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& t,
-                            const Surface& surface)
+inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& t,
+                        const Surface& surface)
 {
     const SampleSet& set = *tile.job.samples;
-    const CoverageList& list = tile.list;
-    const TrianglePlanes planes =
-        make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic);
-    const TriangleSurface triangle = surface_of(tile, chunk, t, surface);
+    CoverageList list{tile.scratch.pixel.data(), tile.scratch.low.data(), tile.scratch.high.data(),
+                      0};
+    PixelRect region;
+    if (region_of(tile, t, region)) cover(tile, t, region, list);
+    if (list.count == 0) return;
+    if (!tile.opaque.any) tile.opaque.clear();
+    TrianglePlanes planes;
+    make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
+    TriangleSurface triangle;
+    set_surface(tile, chunk, t, surface, triangle);
     for (int i = 0; i < list.count; i += Block::kCount) {
         const Located at = locate(planes, set, list, i);
         const Shaded<Block> f =
@@ -95,12 +110,12 @@ HWY_INLINE void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triang
     }
 }
 
-// Drops the fragments of the newest run that nothing can be seen of: all samples behind opaque
-// surfaces, or no opacity.
-inline void drop_invisible(Tile& tile, const TrianglePlanes& planes, FragmentRun& run)
+// Moves the run's fragments down to `to`, without those of which nothing can be seen: all samples
+// behind opaque surfaces, or no opacity.
+inline void keep_visible(Tile& tile, const TrianglePlanes& planes, FragmentRun& run, int to)
 {
     FragmentStream& s = tile.stream;
-    std::uint32_t kept = run.first;
+    auto kept = static_cast<std::uint32_t>(to);
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
         std::uint64_t visible = s.sample_bits(i);
         if (tile.opaque.any) {
@@ -118,85 +133,127 @@ inline void drop_invisible(Tile& tile, const TrianglePlanes& planes, FragmentRun
         s.opacity[kept] = s.opacity[i];
         ++kept;
     }
+    run.first = static_cast<std::uint32_t>(to);
     run.count = kept - run.first;
 }
 
-inline void flush(Tile& tile)
+// `kept`: fragments of earlier runs; counts this run's too.
+HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
 {
-    if (tile.stream.size > 0) tile.consumer.take(tile.consumer.context, tile.stream);
-    tile.stream.clear();
-}
-
-HWY_INLINE void append_transparent(Tile& tile, const TriangleChunk& chunk, const Triangle& t,
-                                   const Surface& surface)
-{
-    const SampleSet& set = *tile.job.samples;
-    const CoverageList& list = tile.list;
     FragmentStream& s = tile.stream;
-    if (s.size + list.count > s.capacity) flush(tile);
-    const TrianglePlanes planes =
-        make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic);
-    const TriangleSurface triangle = surface_of(tile, chunk, t, surface);
-    for (int i = 0, to = s.size; i < list.count; i += Block::kCount, to += Block::kCount) {
+    const SampleSet& set = *tile.job.samples;
+    const Triangle& t = *pending.triangle;
+    const Surface& surface = tile.job.surfaces->surfaces[t.object];
+    const CoverageList list{s.pixel.data(), s.samples.data(), s.samples_high.data(), 0};
+    TrianglePlanes planes;
+    make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
+    TriangleSurface triangle;
+    set_surface(tile, *pending.chunk, t, surface, triangle);
+    for (int i = pending.first; i < pending.first + pending.count; i += Block::kCount) {
         const Located at = locate(planes, set, list, i);
         const Shaded<Block> f =
             shade<Block>(surface, triangle, tile.job.surfaces->light, at.w1, at.w2);
-        Block::whole::load(list.pixel + i).store(s.pixel.data() + to);
-        Block::whole::load(list.low + i).store(s.samples.data() + to);
-        if (set.count > 32) Block::whole::load(list.high + i).store(s.samples_high.data() + to);
-        at.depth.store(s.depth.data() + to);
-        f.red.store(s.red.data() + to);
-        f.green.store(s.green.data() + to);
-        f.blue.store(s.blue.data() + to);
-        f.opacity.store(s.opacity.data() + to);
+        at.depth.store(s.depth.data() + i);
+        f.red.store(s.red.data() + i);
+        f.green.store(s.green.data() + i);
+        f.blue.store(s.blue.data() + i);
+        f.opacity.store(s.opacity.data() + i);
     }
-    FragmentRun run{static_cast<std::uint32_t>(s.size),
-                    static_cast<std::uint32_t>(list.count),
-                    t.primitive,
-                    t.object,
-                    planes.depth_dx,
-                    planes.depth_dy,
-                    planes.depth_min,
-                    planes.depth_max};
-    if (tile.opaque.any || surface.has_vertex_colors) drop_invisible(tile, planes, run);
-    if (run.count == 0) return;
-    s.runs[s.run_count++] = run;
-    s.size += static_cast<int>(run.count);
+    FragmentRun& run = s.runs[s.run_count];
+    run = {static_cast<std::uint32_t>(pending.first),
+           static_cast<std::uint32_t>(pending.count),
+           t.primitive,
+           t.object,
+           planes.depth_dx,
+           planes.depth_dy,
+           planes.depth_min,
+           planes.depth_max};
+    if (tile.opaque.any || surface.has_vertex_colors || kept < pending.first) {
+        keep_visible(tile, planes, run, kept);
+    }
+    kept += static_cast<int>(run.count);
+    if (run.count > 0) ++s.run_count;
+}
+
+// Shades what is covered so far and hands it on. Coverage and shading take turns over many
+// triangles at a time, so that neither waits for the other's latency.
+inline void finish_stream(Tile& tile)
+{
+    constexpr std::size_t kAhead = 4;
+    const std::vector<PendingRun>& pending = tile.scratch.pending;
+    int kept = 0;
+    for (std::size_t i = 0; i < pending.size(); ++i) {
+        if (i + kAhead < pending.size()) {
+            const PendingRun& next = pending[i + kAhead];
+            for (const std::uint32_t v : next.triangle->vertex) {
+                hwy::Prefetch(&tile.job.geometry->attributes_of(*next.chunk, v));
+            }
+        }
+        shade_run(tile, pending[i], kept);
+    }
+    tile.stream.size = kept;
+    if (kept > 0) tile.consumer.take(tile.consumer.context, tile.stream);
+    tile.scratch.pending.clear();
+    tile.stream.clear();
+}
+
+HWY_INLINE void cover_transparent(Tile& tile, const TriangleChunk& chunk, const Triangle& t)
+{
+    FragmentStream& s = tile.stream;
+    PixelRect region;
+    if (!region_of(tile, t, region)) return;
+    const int most = (region.x1 - region.x0) * (region.y1 - region.y0);
+    if (s.size + most > s.capacity) finish_stream(tile);
+    CoverageList list{s.pixel.data(), s.samples.data(), s.samples_high.data(), s.size};
+    cover(tile, t, region, list);
+    if (list.count == s.size) return;
+    tile.scratch.pending.push_back({&chunk, &t, s.size, list.count - s.size});
+    s.size = list.count;
 }
 
 template <class Draw>
 HWY_INLINE void for_each_triangle(const TileJob& job, Draw&& draw)
 {
+    constexpr std::uint32_t kAhead = 8;  // triangles lie scattered over the memory
     const auto tile = static_cast<std::size_t>(job.tile);
     for (const TriangleChunk& chunk : job.geometry->chunks) {
         if (chunk.triangles.empty()) continue;
-        for (std::uint32_t i = chunk.tile_begin[tile]; i < chunk.tile_begin[tile + 1]; ++i) {
+        const std::uint32_t end = chunk.tile_begin[tile + 1];
+        for (std::uint32_t i = chunk.tile_begin[tile]; i < end; ++i) {
+            if (i + kAhead < end) {
+                hwy::Prefetch(&chunk.triangles[chunk.tile_triangles[i + kAhead]]);
+            }
             const Triangle& t = chunk.triangles[chunk.tile_triangles[i]];
             draw(chunk, t, job.surfaces->surfaces[t.object]);
         }
     }
 }
 
-void tile_fragments(const TileJob& job, CoverageList& list, OpaqueTile& opaque,
+void tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque,
                     FragmentStream& stream, const FragmentConsumer& consumer)
 {
-    Tile tile{job, list, opaque, stream, consumer, opaque_samples_for(job.samples->count)};
+    Tile tile{job,
+              scratch,
+              opaque,
+              stream,
+              consumer,
+              opaque_samples_for(job.samples->count),
+              cover_function_for(*job.samples)};
     stream.clear();
+    scratch.pending.clear();
     opaque.any = false;
     if (job.surfaces->any_opaque) {
         for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
                                    const Surface& surface) HWY_ATTR {
-            if (surface.alpha_mode == AlphaMode::blend || !cover(tile, t)) return;
-            if (!opaque.any) opaque.clear();
-            draw_opaque(tile, chunk, t, surface);
+            if (surface.alpha_mode != AlphaMode::blend) draw_opaque(tile, chunk, t, surface);
         });
     }
     for_each_triangle(
         job, [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
             if (surface.alpha_mode != AlphaMode::blend || !(surface.opacity > 0)) return;
-            if (cover(tile, t)) append_transparent(tile, chunk, t, surface);
+            cover_transparent(tile, chunk, t);
         });
-    flush(tile);
+    finish_stream(tile);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

@@ -27,34 +27,34 @@ Edge make_edge(const Triangle& t, int from, int to, const PixelRect& rect)
     return {dx, dy, dx * y - dy * x};
 }
 
-WeightPlane make_weight(const Edge& e, double inverse_area)
+void make_weight(const Edge& e, double inverse_area, WeightPlane& w)
 {
     const double right = static_cast<double>(-e.dy) * inverse_area;
     const double down = static_cast<double>(e.dx) * inverse_area;
-    return {static_cast<std::int32_t>(e.at_first_center),
-            static_cast<std::int32_t>(-e.dy * kSubpixels),
-            static_cast<std::int32_t>(e.dx * kSubpixels),
-            static_cast<float>(static_cast<double>(e.at_first_center) * inverse_area),
-            static_cast<float>(right * kSubpixels),
-            static_cast<float>(down * kSubpixels),
-            static_cast<float>(right),
-            static_cast<float>(down)};
+    w.edge = static_cast<std::int32_t>(e.at_first_center);
+    w.edge_x = static_cast<std::int32_t>(-e.dy * kSubpixels);
+    w.edge_y = static_cast<std::int32_t>(e.dx * kSubpixels);
+    w.base = static_cast<float>(static_cast<double>(e.at_first_center) * inverse_area);
+    w.pixel_x = static_cast<float>(right * kSubpixels);
+    w.pixel_y = static_cast<float>(down * kSubpixels);
+    w.dx = static_cast<float>(right);
+    w.dy = static_cast<float>(down);
 }
 
 }  // namespace
 
-TrianglePlanes make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthographic)
+void make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthographic,
+                          TrianglePlanes& p)
 {
     const Edge e0 = make_edge(t, 0, 1, rect), e2 = make_edge(t, 2, 0, rect);
     // (x1 - x0) (y2 - y0) - (x2 - x0) (y1 - y0), the edge 2 running from vertex 2 to vertex 0.
     const std::int64_t area = e2.dx * e0.dy - e0.dx * e2.dy;
     const double inverse_area = 1.0 / static_cast<double>(area);
 
-    TrianglePlanes p;
     p.exact = area < kLargestExactArea && e0.exact() && e2.exact();
     p.inverse_area = static_cast<float>(inverse_area);
-    p.weight1 = make_weight(e2, inverse_area);
-    p.weight2 = make_weight(e0, inverse_area);
+    make_weight(e2, inverse_area, p.weight1);
+    make_weight(e0, inverse_area, p.weight2);
     p.depth0 = t.depth[0];
     p.depth1 = t.depth[1] - t.depth[0];
     p.depth2 = t.depth[2] - t.depth[0];
@@ -68,7 +68,6 @@ TrianglePlanes make_triangle_planes(const Triangle& t, const PixelRect& rect, bo
     p.depth_max = std::max({t.depth[0], t.depth[1], t.depth[2]});
     p.affine = orthographic || p.depth_min == p.depth_max;
     for (int i = 0; i < 3; ++i) p.inverse_w[i] = -t.depth[i];
-    return p;
 }
 
 }  // namespace sheer

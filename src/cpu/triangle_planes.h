@@ -31,6 +31,7 @@ struct TrianglePlanes {
 };
 
 // `rect`: the tile's pixels in the picture.
-TrianglePlanes make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthographic);
+void make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthographic,
+                          TrianglePlanes& planes);
 
 }  // namespace sheer

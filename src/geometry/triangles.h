@@ -20,8 +20,8 @@ struct Attributes {
 
 // One triangle on the screen. With (x, y) to the right and down, vertices 0, 1, 2 turn so that
 //   twice_area = (x1 - x0) (y2 - y0) - (x2 - x0) (y1 - y0)  >  0
-// whichever side is seen.
-struct Triangle {
+// whichever side is seen. It fills a cache line: tiles read triangles from all over the memory.
+struct alignas(64) Triangle {
     std::int32_t x[3], y[3];  // 1/256 pixel from the picture's top left corner, |x|, |y| < 2^23
     // Affine on the screen and growing away from the eye: -1/w (w: distance along the axis of view)
     // under a perspective camera, that distance itself under an orthographic one.

@@ -12,6 +12,7 @@
 
 #include <cstdint>
 
+#include "lanes/pack_order.h"
 #include "lanes/targets.h"
 
 #include <hwy/highway.h>
@@ -107,6 +108,11 @@ struct Lanes {
         {
             return hn::BitCast(I(), hn::ShiftRightSame(hn::BitCast(U(), v), bits));
         }
+        // Lane i's sign in bit i.
+        HWY_INLINE std::uint32_t sign_bits() const
+        {
+            return mask{hn::RebindMask(F(), hn::MaskFromVec(hn::BroadcastSignBit(v)))}.bits();
+        }
         HWY_INLINE whole population_count() const
         {
             return hn::BitCast(I(), hn::PopulationCount(hn::BitCast(U(), v)));
@@ -114,7 +120,17 @@ struct Lanes {
         // Writes the lanes of `m` one after the other; up to kCount values past them are touched.
         HWY_INLINE void store_packed(mask m, std::uint32_t* p) const
         {
-            hn::CompressStore(hn::BitCast(U(), v), hn::RebindMask(U(), m.m), U(), p);
+            if constexpr (kCount == 16) {
+                hn::CompressStore(hn::BitCast(U(), v), hn::RebindMask(U(), m.m), U(), p);
+            } else if constexpr (kCount == 1) {
+                store(p);
+            } else {
+                // Not Highway's: GCC 12 copies its table to the stack at every call.
+                const hn::Rebind<std::uint8_t, U> bytes;
+                const auto order = hn::LoadU(bytes, kPackOrder[m.bits()].data());
+                const auto indices = hn::IndicesFromVec(U(), hn::PromoteTo(U(), order));
+                hn::StoreU(hn::TableLookupLanes(hn::BitCast(U(), v), indices), U(), p);
+            }
         }
     };
 

@@ -3,8 +3,9 @@
 //
 // A pixel's fragments are sorted once, by their depth at the first sample that each covers, and
 // composited with lanes over the samples; a sample at which that order proves wrong (surfaces that
-// cross inside the pixel) is sorted for itself. The order is by (depth, primitive), so the picture
-// does not depend on the order of arrival, to the last bit. 36 bytes a fragment, without bound.
+// cross inside the pixel) is sorted and composited again for itself. The order is by (depth,
+// primitive), so the picture does not depend on the order of arrival, to the last bit. 36 bytes a
+// fragment, without bound.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -31,6 +32,8 @@ struct Layer {
     float depth;  // at the pixel's centre
     std::uint32_t pixel, run;
     std::uint32_t samples, samples_high;
+
+    std::uint64_t bits() const { return samples | static_cast<std::uint64_t>(samples_high) << 32; }
 };
 static_assert(sizeof(Layer) == 36);
 
@@ -58,10 +61,17 @@ inline std::uint64_t ordered_bits(float x)
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
-template <class L>
-HWY_INLINE typename L::mask covers(const Layer& layer, std::size_t s)
+inline std::uint64_t key_of(float depth, const LayerRun& run)
 {
-    return L::mask_of_bits((s < 32 ? layer.samples : layer.samples_high) >> (s & 31));
+    return ordered_bits(depth) << 32 | run.primitive;
+}
+
+inline void insert_sorted(std::vector<Sorted>& sorted, const Sorted& item)
+{
+    sorted.push_back(item);
+    std::size_t to = sorted.size() - 1;
+    for (; to > 0 && nearer(item, sorted[to - 1]); --to) sorted[to] = sorted[to - 1];
+    sorted[to] = item;
 }
 
 // Front to back: C = sum of T_i a_i c_i, T = product of (1 - a_i).
@@ -71,13 +81,26 @@ struct Composite {
     real red, green, blue, transmittance;
 
     HWY_INLINE Composite() : red(0.0f), green(0.0f), blue(0.0f), transmittance(1.0f) {}
-    HWY_INLINE void add(real r, real g, real b, real a)
+    HWY_INLINE void add(const Layer& layer, real opacity)
     {
-        const real weight = transmittance * a;
-        red = red + weight * r;
-        green = green + weight * g;
-        blue = blue + weight * b;
-        transmittance = transmittance * (real(1.0f) - a);
+        const real weight = transmittance * opacity;
+        red = red + weight * real(layer.red);
+        green = green + weight * real(layer.green);
+        blue = blue + weight * real(layer.blue);
+        transmittance = transmittance * (real(1.0f) - opacity);
+    }
+    HWY_INLINE void replace(std::size_t lane, const Composite<Lanes<1>>& by)
+    {
+        const auto put = [lane](real& into, Lanes<1>::real value) HWY_ATTR {
+            float lanes[16];
+            into.store(lanes);
+            value.store(lanes + lane);
+            into = real::load(lanes);
+        };
+        put(red, by.red);
+        put(green, by.green);
+        put(blue, by.blue);
+        put(transmittance, by.transmittance);
     }
     HWY_INLINE void over(SampleColors& backdrop, std::size_t pixel, std::size_t s) const
     {
@@ -103,9 +126,7 @@ struct ExactStore {
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
     std::vector<std::uint32_t> by_pixel;  // indices of layers
     std::vector<Sorted> order;
-    // Of one group of lanes of the pixel at hand: a value a lane, layer after layer.
-    std::vector<float> lane_depth;
-    std::vector<std::uint32_t> lane_primitive, lane_layer;
+    std::vector<Sorted> sample_order;  // of one sample of it
 
     explicit ExactStore(const StoreShape& shape) : set(*shape.samples) {}
 
@@ -150,9 +171,10 @@ struct ExactStore {
             sort_layers(pixel);
             for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
                 Composite<L> sum;
-                if (!composite_in_order(s, sum)) {
-                    sum = Composite<L>();
-                    composite_by_lane(s, sum);
+                std::uint32_t wrong = composite_in_order(s, sum);
+                for (; wrong != 0; wrong &= wrong - 1) {
+                    const auto lane = static_cast<std::size_t>(std::countr_zero(wrong));
+                    sum.replace(lane, composite_sample(s + lane));
                 }
                 sum.over(backdrop, pixel, s);
             }
@@ -176,38 +198,33 @@ struct ExactStore {
     void sort_layers(std::size_t pixel)
     {
         order.clear();
+        const bool few = first[pixel + 1] - first[pixel] <= kInsertionSortMost;
         for (std::uint32_t i = first[pixel]; i < first[pixel + 1]; ++i) {
             const Layer& layer = layers[by_pixel[i]];
             const LayerRun& run = runs[layer.run];
-            const std::uint64_t bits =
-                layer.samples | static_cast<std::uint64_t>(layer.samples_high) << 32;
-            const auto s = static_cast<std::size_t>(std::countr_zero(bits));
+            const auto s = static_cast<std::size_t>(std::countr_zero(layer.bits()));
             const float offset = set.offset_x[s] * run.plane.dx + set.offset_y[s] * run.plane.dy;
             const float depth = std::clamp(layer.depth + offset, run.plane.least, run.plane.most);
-            order.push_back({ordered_bits(depth) << 32 | run.primitive, &layer, &run});
+            const Sorted item{key_of(depth, run), &layer, &run};
+            if (few) {
+                insert_sorted(order, item);
+            } else {
+                order.push_back(item);
+            }
         }
-        if (order.size() > kInsertionSortMost) {
-            std::sort(order.begin(), order.end(), nearer);
-            return;
-        }
-        for (std::size_t i = 1; i < order.size(); ++i) {
-            const Sorted moving = order[i];
-            std::size_t to = i;
-            for (; to > 0 && nearer(moving, order[to - 1]); --to) order[to] = order[to - 1];
-            order[to] = moving;
-        }
+        if (!few) std::sort(order.begin(), order.end(), nearer);
     }
     static constexpr std::size_t kInsertionSortMost = 32;
 
-    // False when the common order is wrong at one of the samples s, s + 1, ...
-    HWY_INLINE bool composite_in_order(std::size_t s, Composite<L>& sum) const
+    // Lanes (bits) at which the common order is wrong.
+    HWY_INLINE std::uint32_t composite_in_order(std::size_t s, Composite<L>& sum) const
     {
         real last_depth(-std::numeric_limits<float>::infinity());
         whole last_primitive(0);
         mask wrong{L::first(0)};
         for (const Sorted& item : order) {
             const Layer& layer = *item.layer;
-            const mask here = covers<L>(layer, s);
+            const mask here = L::mask_of_bits(static_cast<std::uint32_t>(layer.bits() >> s));
             const real depth = sample_depth<L>(item.run->plane, set, layer.depth, s);
             const whole primitive(static_cast<std::int32_t>(item.run->primitive));
             wrong = wrong |
@@ -215,74 +232,27 @@ struct ExactStore {
                                                      L::less_unsigned(primitive, last_primitive))));
             last_depth = L::select(here, depth, last_depth);
             last_primitive = L::select(here, primitive, last_primitive);
-            sum.add(real(layer.red), real(layer.green), real(layer.blue),
-                    L::zero_unless(here, real(layer.opacity)));
+            sum.add(layer, L::zero_unless(here, real(layer.opacity)));
         }
-        return !wrong.any();
+        return wrong.bits();
     }
 
-    // Each lane for itself: exchanges of neighbours until every lane is in order.
-    void composite_by_lane(std::size_t s, Composite<L>& sum)
+    // The common order is nearly right at the sample: insertion takes few moves.
+    Composite<Lanes<1>> composite_sample(std::size_t s)
     {
-        fill_lanes(s);
-        constexpr std::size_t kLanes = L::kCount;
-        for (std::size_t end = order.size(); end > 1;) {
-            std::size_t last_exchange = 0;
-            for (std::size_t i = 1; i < end; ++i) {
-                if (exchange((i - 1) * kLanes, i * kLanes)) last_exchange = i;
-            }
-            end = last_exchange;
+        using One = Lanes<1>;
+        sample_order.clear();
+        for (const Sorted& item : order) {
+            if ((item.layer->bits() >> s & 1) == 0) continue;
+            float depth[One::kCount];
+            sample_depth<One>(item.run->plane, set, item.layer->depth, s).store(depth);
+            insert_sorted(sample_order, {key_of(depth[0], *item.run), item.layer, item.run});
         }
-        alignas(64) float r[16], g[16], b[16], a[16];
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            for (std::size_t lane = 0; lane < kLanes; ++lane) {
-                const Layer& layer = *order[lane_layer[i * kLanes + lane]].layer;
-                const std::uint64_t bits =
-                    layer.samples | static_cast<std::uint64_t>(layer.samples_high) << 32;
-                r[lane] = layer.red;
-                g[lane] = layer.green;
-                b[lane] = layer.blue;
-                a[lane] = (bits >> (s + lane) & 1) != 0 ? layer.opacity : 0.0f;
-            }
-            sum.add(real::load(r), real::load(g), real::load(b), real::load(a));
+        Composite<One> sum;
+        for (const Sorted& item : sample_order) {
+            sum.add(*item.layer, One::real(item.layer->opacity));
         }
-    }
-
-    void fill_lanes(std::size_t s)
-    {
-        constexpr std::size_t kLanes = L::kCount;
-        const std::size_t size = order.size() * kLanes;
-        lane_depth.resize(size);
-        lane_primitive.resize(size);
-        lane_layer.resize(size);
-        for (std::size_t i = 0; i < order.size(); ++i) {
-            const Sorted& item = order[i];
-            const mask here = covers<L>(*item.layer, s);
-            const real depth = sample_depth<L>(item.run->plane, set, item.layer->depth, s);
-            // What a sample does not see sinks to the end.
-            L::select(here, depth, real(std::numeric_limits<float>::infinity()))
-                .store(&lane_depth[i * kLanes]);
-            whole(static_cast<std::int32_t>(item.run->primitive))
-                .store(&lane_primitive[i * kLanes]);
-            whole(static_cast<std::int32_t>(i)).store(&lane_layer[i * kLanes]);
-        }
-    }
-
-    // True when a lane of layer `near` had to change places with that of layer `far`.
-    HWY_INLINE bool exchange(std::size_t near, std::size_t far)
-    {
-        const real d0 = real::load(&lane_depth[near]), d1 = real::load(&lane_depth[far]);
-        const whole p0 = whole::load(&lane_primitive[near]), p1 = whole::load(&lane_primitive[far]);
-        const mask wrong = (d1 < d0) | ((d1 == d0) & L::less_unsigned(p1, p0));
-        if (!wrong.any()) return false;
-        const whole l0 = whole::load(&lane_layer[near]), l1 = whole::load(&lane_layer[far]);
-        L::select(wrong, d1, d0).store(&lane_depth[near]);
-        L::select(wrong, d0, d1).store(&lane_depth[far]);
-        L::select(wrong, p1, p0).store(&lane_primitive[near]);
-        L::select(wrong, p0, p1).store(&lane_primitive[far]);
-        L::select(wrong, l1, l0).store(&lane_layer[near]);
-        L::select(wrong, l0, l1).store(&lane_layer[far]);
-        return true;
+        return sum;
     }
 };
 

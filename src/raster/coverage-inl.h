@@ -32,7 +32,8 @@ inline constexpr int kBlockHeight = Block::kCount / kBlockWidth;
 struct RegionEdges {
     std::int64_t corner[3];  // at the top left corner of the region's first pixel, bias included
     std::int32_t step_x[3], step_y[3];
-    bool wide = false;
+    bool wide = false;   // an edge needs 64 bits
+    bool inside = true;  // the whole region is inside all three
 };
 
 // A longer edge (|dx| + |dy|, subpixels) overflows 32 bits within a tile of 2^5 pixels of 2^8
@@ -59,6 +60,7 @@ inline bool make_region_edges(const Triangle& t, const PixelRect& region, Region
         edges.step_y[i] = inside ? 0 : dx;
         const std::int64_t length = std::abs(std::int64_t{dx}) + std::abs(std::int64_t{dy});
         edges.wide |= !inside && length >= kLongestNarrowEdge;
+        edges.inside &= inside;
     }
     return true;
 }
@@ -66,98 +68,140 @@ inline bool make_region_edges(const Triangle& t, const PixelRect& region, Region
 // Edge functions at samples relative to those at their pixel's corner.
 struct SampleSteps {
     alignas(64) std::int32_t at[3][kMaxSamples];
-    std::int32_t least[3], most[3];
 };
 
 inline void make_sample_steps(const RegionEdges& edges, const SampleSet& set, SampleSteps& steps)
 {
     const int count = set.centered ? 1 : set.count;
     for (int e = 0; e < 3; ++e) {
-        std::int32_t least = INT32_MAX, most = INT32_MIN;
         for (int s = 0; s < count; ++s) {
-            const std::int32_t step = edges.step_x[e] * set.x[s] + edges.step_y[e] * set.y[s];
-            steps.at[e][s] = step;
-            least = std::min(least, step);
-            most = std::max(most, step);
+            steps.at[e][s] = edges.step_x[e] * set.x[s] + edges.step_y[e] * set.y[s];
         }
-        steps.least[e] = least;
-        steps.most[e] = most;
     }
 }
 
-// Samples [32 word, 32 word + 32) of a block's pixels: bit i of a lane for sample 32 word + i.
-HWY_INLINE Block::whole covered_samples(const Block::whole (&pixel)[3], const SampleSteps& steps,
-                                        int word, int count)
+// All of the region's pixels, wholly.
+inline void cover_all(const SampleSet& set, const PixelRect& local, CoverageList& list)
 {
-    Block::whole outside(0);
-    for (int s = std::min(count, 32 * word + 32) - 1; s >= 32 * word; --s) {
-        const Block::whole negative = (pixel[0] + Block::whole(steps.at[0][s])) |
-                                      (pixel[1] + Block::whole(steps.at[1][s])) |
-                                      (pixel[2] + Block::whole(steps.at[2][s]));
-        outside = outside.shift_left<1>() | negative.shift_right<31>();
+    const std::uint64_t all = set.all();
+    for (int y = local.y0; y < local.y1; ++y) {
+        for (int x = local.x0; x < local.x1; ++x) {
+            list.pixel[list.count] = static_cast<std::uint32_t>(y * kTileSize + x);
+            list.low[list.count] = static_cast<std::uint32_t>(all);
+            if (set.count > 32) list.high[list.count] = static_cast<std::uint32_t>(all >> 32);
+            ++list.count;
+        }
     }
-    return ~outside;
 }
 
-HWY_INLINE void append(CoverageList& list, Block::whole pixel, Block::whole low, Block::whole high,
-                       bool wants_high)
+// Lanes over a pixel's samples, S = min(samples, 16).
+template <int S>
+void cover_by_samples(const RegionEdges& edges, const SampleSet& set, const PixelRect& local,
+                      CoverageList& list)
 {
-    const Block::mask covered = !((low | high) == Block::whole(0));
-    pixel.store_packed(covered, list.pixel + list.count);
-    low.store_packed(covered, list.low + list.count);
-    if (wants_high) high.store_packed(covered, list.high + list.count);
-    list.count += covered.count();
-}
-
-HWY_INLINE void cover_narrow(const RegionEdges& edges, const SampleSet& set, PixelRect local,
-                             CoverageList& list)
-{
+    using L = Lanes<S>;
+    using whole = typename L::whole;
+    constexpr int kMostVectors = S < 16 ? S / L::kCount : kMaxSamples / L::kCount;
+    const int vectors = S < 16 ? kMostVectors : set.count / L::kCount;
     SampleSteps steps;
     make_sample_steps(edges, set, steps);
-    const int tested = set.centered ? 1 : set.count;
-    const auto all_low = Block::whole(static_cast<std::int32_t>(set.all() & 0xffffffffu));
-    const auto all_high = Block::whole(static_cast<std::int32_t>(set.all() >> 32));
-    const Block::whole lane = Block::iota();
-    const Block::whole lane_x = lane & Block::whole(kBlockWidth - 1);
-    const Block::whole lane_y = lane.shift_right<kBlockWidth / 2>();  // log2 of 1, 2 or 4
-    const Block::whole lane_pixel = lane_y * Block::whole(kTileSize) + lane_x;
-    const Block::whole zero(0);
-
-    Block::whole lane_step[3];
-    for (int e = 0; e < 3; ++e) {
-        lane_step[e] = lane_x * Block::whole(edges.step_x[e] * kSubpixels) +
-                       lane_y * Block::whole(edges.step_y[e] * kSubpixels);
+    const int width = local.x1 - local.x0, height = local.y1 - local.y0;
+    const whole right[3] = {whole(edges.step_x[0] * kSubpixels),
+                            whole(edges.step_x[1] * kSubpixels),
+                            whole(edges.step_x[2] * kSubpixels)};
+    const std::uint64_t all = set.all();
+    std::uint32_t corner[3] = {static_cast<std::uint32_t>(edges.corner[0]),
+                               static_cast<std::uint32_t>(edges.corner[1]),
+                               static_cast<std::uint32_t>(edges.corner[2])};
+    int count = list.count;
+    for (int y = 0; y < height; ++y) {
+        whole at[3][kMostVectors];
+        for (int e = 0; e < 3; ++e) {
+            for (int v = 0; v < vectors; ++v) {
+                at[e][v] = whole(static_cast<std::int32_t>(corner[e])) +
+                           whole::load(&steps.at[e][v * L::kCount]);
+            }
+            corner[e] += static_cast<std::uint32_t>(edges.step_y[e] * kSubpixels);
+        }
+        auto pixel = static_cast<std::uint32_t>((local.y0 + y) * kTileSize + local.x0);
+        for (int x = 0; x < width; ++x, ++pixel) {
+            std::uint64_t outside = 0;
+            for (int v = 0; v < vectors; ++v) {
+                const whole negative = at[0][v] | at[1][v] | at[2][v];
+                outside |= std::uint64_t{negative.sign_bits()} << (v * L::kCount);
+                for (int e = 0; e < 3; ++e) at[e][v] = at[e][v] + right[e];
+            }
+            const std::uint64_t inside = ~outside & all;
+            list.pixel[count] = pixel;
+            list.low[count] = static_cast<std::uint32_t>(inside);
+            if constexpr (S == 16) list.high[count] = static_cast<std::uint32_t>(inside >> 32);
+            count += inside != 0 ? 1 : 0;
+        }
     }
+    list.count = count;
+}
+
+// Lanes over a block of pixels, one or two samples at a time; all samples at the centre are one.
+inline void cover_by_pixels(const RegionEdges& edges, const SampleSet& set, const PixelRect& local,
+                            CoverageList& list)
+{
+    using whole = Block::whole;
+    SampleSteps steps;
+    make_sample_steps(edges, set, steps);
+    const whole lane = Block::iota();
+    const whole lane_x = lane & whole(kBlockWidth - 1);
+    const whole lane_y = lane.shift_right<kBlockWidth / 2>();  // log2 of 1, 2 or 4
+    const whole lane_pixel = lane_y * whole(kTileSize) + lane_x;
+    whole lane_step[3];
+    for (int e = 0; e < 3; ++e) {
+        lane_step[e] = lane_x * whole(edges.step_x[e] * kSubpixels) +
+                       lane_y * whole(edges.step_y[e] * kSubpixels);
+    }
+    const int tested = set.centered ? 1 : set.count;
+    const auto low_if_all = whole(static_cast<std::int32_t>(set.all() & 0xffffffffu));
+    const auto high_if_all = whole(static_cast<std::int32_t>(set.all() >> 32));
+    const whole zero(0);
     const int width = local.x1 - local.x0, height = local.y1 - local.y0;
     for (int y = 0; y < height; y += kBlockHeight) {
         for (int x = 0; x < width; x += kBlockWidth) {
-            Block::whole pixel[3];
+            whole at[3];
             for (int e = 0; e < 3; ++e) {
-                const auto at = static_cast<std::uint32_t>(edges.corner[e]) +
-                                static_cast<std::uint32_t>(edges.step_x[e] * kSubpixels) *
-                                    static_cast<std::uint32_t>(x) +
-                                static_cast<std::uint32_t>(edges.step_y[e] * kSubpixels) *
-                                    static_cast<std::uint32_t>(y);
-                pixel[e] = Block::whole(static_cast<std::int32_t>(at)) + lane_step[e];
+                at[e] = lane_step[e] + whole(static_cast<std::int32_t>(edges.corner[e])) +
+                        whole(edges.step_x[e] * kSubpixels) * whole(x) +
+                        whole(edges.step_y[e] * kSubpixels) * whole(y);
             }
-            const Block::whole out = (pixel[0] + Block::whole(steps.most[0])) |
-                                     (pixel[1] + Block::whole(steps.most[1])) |
-                                     (pixel[2] + Block::whole(steps.most[2]));
-            const Block::mask here = (lane_x < Block::whole(width - x)) &
-                                     (lane_y < Block::whole(height - y)) & !(out < zero);
-            if (!here.any()) continue;
-            const Block::whole part = (pixel[0] + Block::whole(steps.least[0])) |
-                                      (pixel[1] + Block::whole(steps.least[1])) |
-                                      (pixel[2] + Block::whole(steps.least[2]));
-            Block::whole low = all_low, high = all_high;
-            if ((here & (part < zero)).any()) {
-                low = covered_samples(pixel, steps, 0, tested) & all_low;
-                high = tested > 32 ? covered_samples(pixel, steps, 1, tested) & all_high : zero;
+            whole inside = zero;
+            for (int s = 0; s < tested; ++s) {
+                const whole negative = (at[0] + whole(steps.at[0][s])) |
+                                       (at[1] + whole(steps.at[1][s])) |
+                                       (at[2] + whole(steps.at[2][s]));
+                inside = inside | Block::select(negative < zero, zero, whole(1 << s));
             }
-            const auto first = Block::whole((local.y0 + y) * kTileSize + local.x0 + x);
-            append(list, first + lane_pixel, Block::select(here, low, zero),
-                   Block::select(here, high, zero), set.count > 32);
+            const Block::mask here =
+                (lane_x < whole(width - x)) & (lane_y < whole(height - y)) & !(inside == zero);
+            const whole first((local.y0 + y) * kTileSize + local.x0 + x);
+            (first + lane_pixel).store_packed(here, list.pixel + list.count);
+            if (set.centered) {
+                low_if_all.store_packed(here, list.low + list.count);
+                if (set.count > 32) high_if_all.store_packed(here, list.high + list.count);
+            } else {
+                inside.store_packed(here, list.low + list.count);
+            }
+            list.count += here.count();
         }
+    }
+}
+
+using CoverFunction = void (*)(const RegionEdges&, const SampleSet&, const PixelRect&,
+                               CoverageList&);
+
+inline CoverFunction cover_function_for(const SampleSet& set)
+{
+    if (set.centered || set.count < 4) return cover_by_pixels;
+    switch (set.count) {
+        case 4: return cover_by_samples<4>;
+        case 8: return cover_by_samples<8>;
+        default: return cover_by_samples<16>;
     }
 }
 

@@ -1,4 +1,4 @@
-// The pixels of a tile that a triangle covers, and the samples it covers in each.
+// Where coverage goes: the pixels that triangles cover, and the samples they cover in each.
 #pragma once
 
 #include <cstdint>
@@ -7,13 +7,12 @@
 
 namespace sheer {
 
+// Arrays with room for a tile's pixels and a vector past `count`.
 struct CoverageList {
-    static constexpr int kCapacity = kTilePixels + 16;  // one vector of slack
-
-    int count = 0;
-    alignas(64) std::uint32_t pixel[kCapacity] = {};  // row * kTileSize + column
-    alignas(64) std::uint32_t low[kCapacity] = {};    // samples 0 to 31
-    alignas(64) std::uint32_t high[kCapacity] = {};   // samples 32 to 63, where there are so many
+    std::uint32_t* pixel;  // row * kTileSize + column in the tile
+    std::uint32_t* low;    // samples 0 to 31: bit i
+    std::uint32_t* high;   // samples 32 to 63; written where there are so many
+    int count;
 
     std::uint64_t samples(int i) const
     {

@@ -59,7 +59,7 @@ void cover_wide(const Triangle& triangle, const SampleSet& set, const PixelRect&
             list.pixel[list.count] =
                 static_cast<std::uint32_t>((y - tile_y) * kTileSize + x - tile_x);
             list.low[list.count] = static_cast<std::uint32_t>(bits);
-            list.high[list.count] = static_cast<std::uint32_t>(bits >> 32);
+            if (set.count > 32) list.high[list.count] = static_cast<std::uint32_t>(bits >> 32);
             ++list.count;
         }
     }

@@ -106,8 +106,7 @@ TEST(GltfFaults, Glb)
     expect_has(fault_of_text(good.substr(0, 100)), "test.gltf: GLB: cut off");
     std::string old = good;
     old[4] = 1;
-    EXPECT_EQ(fault_of_text(old),
-              "test.gltf: GLB: version 1 is not supported, only glTF 2.0 is");
+    EXPECT_EQ(fault_of_text(old), "test.gltf: GLB: version 1 is not supported, only glTF 2.0 is");
     std::string long_chunk = good;
     long_chunk[15] = '\x7F';
     expect_has(fault_of_text(long_chunk), "reaches past the end");
@@ -135,9 +134,10 @@ TEST(GltfFaults, SizesAndOffsets)
 {
     EXPECT_EQ(after([](Builder& b) { b.json["accessors"][0]["byteOffset"] = 4; }),
               "test.gltf: accessors[0]: needs 40 bytes of a bufferView that has 36");
-    EXPECT_EQ(after([](Builder& b) { b.json["bufferViews"][0]["byteOffset"] = 4; }),
-              "test.gltf: bufferViews[0]: byteOffset 4 and byteLength 36 reach past the 36 bytes of "
-              "buffers[0]");
+    EXPECT_EQ(
+        after([](Builder& b) { b.json["bufferViews"][0]["byteOffset"] = 4; }),
+        "test.gltf: bufferViews[0]: byteOffset 4 and byteLength 36 reach past the 36 bytes of "
+        "buffers[0]");
     EXPECT_EQ(after([](Builder& b) { b.json["bufferViews"][0]["byteStride"] = 8; }),
               "test.gltf: accessors[0]: its elements of 12 bytes overlap in a bufferView of "
               "byteStride 8");
@@ -157,30 +157,32 @@ TEST(GltfFaults, SizesAndOffsets)
                   b.json["accessors"][0].erase("bufferView");
               }),
               "test.gltf: accessors[0]: more elements than Sheer reads (2^28)");
-    EXPECT_EQ(after([](Builder& b) {
-                  b.json["accessors"][0]["count"] = 1 << 25;
-                  b.json["accessors"][0].erase("bufferView");
-              }),
-              "test.gltf: accessors[0]: more elements without a bufferView than Sheer reads (2^24)");
+    EXPECT_EQ(
+        after([](Builder& b) {
+            b.json["accessors"][0]["count"] = 1 << 25;
+            b.json["accessors"][0].erase("bufferView");
+        }),
+        "test.gltf: accessors[0]: more elements without a bufferView than Sheer reads (2^24)");
 }
 
 TEST(GltfFaults, Vertices)
 {
-    EXPECT_EQ(after([](Builder& b) {
-                  primitive_of(b)["indices"] =
-                      b.accessor("SCALAR", std::vector<std::uint16_t>{0, 1, 3});
-              }),
-              "test.gltf: accessors[1]: element 2 is 3, but there are only 3 vertices");
-    EXPECT_EQ(after([](Builder& b) {
-                  primitive_of(b)["indices"] =
-                      b.accessor("SCALAR", std::vector<std::uint8_t>{0, 255, 1});
-              }),
-              "test.gltf: accessors[1]: element 1 is the primitive restart mark, which glTF does "
-              "not allow");
-    EXPECT_EQ(after([](Builder& b) {
-                  primitive_of(b)["attributes"]["NORMAL"] = b.accessor("VEC3", curve(4));
-              }),
-              "test.gltf: meshes[0].primitives[0].attributes.NORMAL: has 4 elements, POSITION has 3");
+    EXPECT_EQ(
+        after([](Builder& b) {
+            primitive_of(b)["indices"] = b.accessor("SCALAR", std::vector<std::uint16_t>{0, 1, 3});
+        }),
+        "test.gltf: accessors[1]: element 2 is 3, but there are only 3 vertices");
+    EXPECT_EQ(
+        after([](Builder& b) {
+            primitive_of(b)["indices"] = b.accessor("SCALAR", std::vector<std::uint8_t>{0, 255, 1});
+        }),
+        "test.gltf: accessors[1]: element 1 is the primitive restart mark, which glTF does "
+        "not allow");
+    EXPECT_EQ(
+        after([](Builder& b) {
+            primitive_of(b)["attributes"]["NORMAL"] = b.accessor("VEC3", curve(4));
+        }),
+        "test.gltf: meshes[0].primitives[0].attributes.NORMAL: has 4 elements, POSITION has 3");
     EXPECT_EQ(after([](Builder& b) {
                   std::vector<float> positions = curve(3);
                   positions[7] = std::numeric_limits<float>::infinity();
@@ -215,7 +217,8 @@ TEST(GltfFaults, SparseIndices)
 TEST(GltfFaults, Materials)
 {
     const auto with_material = [](const char* material) {
-        return after([&](Builder& b) { b.json["materials"] = {Json::parse(material)}; });
+        return after(
+            [&](Builder& b) { b.json["materials"] = Json::array({Json::parse(material)}); });
     };
     EXPECT_EQ(with_material(R"({"alphaMode": "GLASS"})"),
               "test.gltf: materials[0].alphaMode: must be OPAQUE, MASK or BLEND, not \"GLASS\"");
@@ -247,15 +250,17 @@ TEST(GltfFaults, Addresses)
               "test.gltf: buffers[0].uri: the base64 data is cut off");
     EXPECT_EQ(with_uri("data:;base64,AAAA"),
               "test.gltf: accessors[0]: its data is missing, the buffer is cut off");
-    EXPECT_EQ(after([](Builder& b) { b.json["buffers"] = {{{"byteLength", 36}}}; }),
+    EXPECT_EQ(after([](Builder& b) {
+                  b.json["buffers"] = {{{"byteLength", 36}}};
+              }),
               "test.gltf: buffers[0]: has no uri, and the file has no binary chunk for it");
 }
 
 TEST(GltfFaults, ShortBufferServesAsFarAsItGoes)
 {
     Builder builder = one_triangle();
-    builder.json["buffers"] = {{{"byteLength", 1000},
-                                {"uri", "data:;base64," + base64(builder.data)}}};
+    builder.json["buffers"] = {
+        {{"byteLength", 1000}, {"uri", "data:;base64," + base64(builder.data)}}};
     EXPECT_TRUE(notes(read(builder), "buffers shorter than declared: 1, used as far as they go"));
 }
 

@@ -1,4 +1,5 @@
-// glTF files of other people's making: those of the folder that SHEER_SCENES names, and broken ones.
+// glTF files of other people's making: those of the folder that SHEER_SCENES names, and broken
+// ones.
 
 #include "gltf_fixture.h"
 
@@ -133,13 +134,14 @@ Bytes mutated(const Bytes& original, std::mt19937& random)
         return bytes;
     }
     // The JSON stands in front and is where a byte matters most.
-    const std::size_t reach = random() % 4 == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 3000);
+    const std::size_t reach =
+        random() % 4 == 0 ? bytes.size() : std::min<std::size_t>(bytes.size(), 3000);
     constexpr std::string_view telling = "0123456789-.eE\"[]{},:";
     for (std::uint32_t i = 0; i < 1 + random() % 4; ++i) {
         const auto value = static_cast<std::uint32_t>(random());
-        bytes[random() % reach] = value % 2 == 0
-                                      ? static_cast<std::uint8_t>(value >> 8)
-                                      : static_cast<std::uint8_t>(telling[(value >> 8) % telling.size()]);
+        bytes[random() % reach] =
+            value % 2 == 0 ? static_cast<std::uint8_t>(value >> 8)
+                           : static_cast<std::uint8_t>(telling[(value >> 8) % telling.size()]);
     }
     return bytes;
 }
@@ -158,8 +160,8 @@ Builder sample_document()
         {{"type", "perspective"}, {"perspective", {{"yfov", 0.5}, {"znear", 1}}}}};
     builder.json["accessors"][0]["sparse"] = {
         {"count", 1},
-        {"indices", {{"bufferView", builder.view(std::vector<std::uint8_t>{1})},
-                     {"componentType", 5121}}},
+        {"indices",
+         {{"bufferView", builder.view(std::vector<std::uint8_t>{1})}, {"componentType", 5121}}},
         {"values", {{"bufferView", 0}}}};
     return builder;
 }

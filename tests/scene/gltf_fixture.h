@@ -24,7 +24,8 @@ inline std::string base64(const Bytes& bytes)
     std::string text;
     for (std::size_t i = 0; i < bytes.size(); i += 3) {
         std::uint32_t bits = 0;
-        for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
+        for (std::size_t k = 0; k < 3; ++k)
+            bits = bits << 8 | (i + k < bytes.size() ? bytes[i + k] : 0u);
         for (std::size_t k = 0; k < 4; ++k) {
             text += i + k <= bytes.size() ? alphabet[bits >> (18 - 6 * k) & 63u] : '=';
         }
@@ -55,9 +56,8 @@ struct Builder {
         const std::size_t offset = data.size();
         data.resize(offset + values.size() * sizeof(T));
         if (!values.empty()) std::memcpy(&data[offset], values.data(), values.size() * sizeof(T));
-        json["bufferViews"].push_back({{"buffer", 0},
-                                       {"byteOffset", offset},
-                                       {"byteLength", values.size() * sizeof(T)}});
+        json["bufferViews"].push_back(
+            {{"buffer", 0}, {"byteOffset", offset}, {"byteLength", values.size() * sizeof(T)}});
         return json["bufferViews"].size() - 1;
     }
 
@@ -86,9 +86,8 @@ struct Builder {
     {
         Json whole = json;
         if (!data.empty() && !whole.contains("buffers")) {
-            whole["buffers"] = {
-                {{"byteLength", data.size()},
-                 {"uri", "data:application/octet-stream;base64," + base64(data)}}};
+            whole["buffers"] = {{{"byteLength", data.size()},
+                                 {"uri", "data:application/octet-stream;base64," + base64(data)}}};
         }
         return whole.dump();
     }

@@ -12,7 +12,8 @@ Builder nodes_with_a_mesh(int count)
 {
     Builder builder = one_triangle();
     for (int i = 1; i < count; ++i) builder.json["nodes"].push_back({{"mesh", 0}});
-    for (int i = 0; i < count; ++i) builder.json["nodes"][static_cast<std::size_t>(i)]["name"] = "n" + std::to_string(i);
+    for (int i = 0; i < count; ++i)
+        builder.json["nodes"][static_cast<std::size_t>(i)]["name"] = "n" + std::to_string(i);
     builder.json.erase("scenes");
     return builder;
 }
@@ -124,7 +125,7 @@ TEST(GltfNodes, RefusesBrokenTransforms)
 Builder with_camera(const Json& camera)
 {
     Builder builder = nodes_with_a_mesh(1);
-    builder.json["cameras"] = {camera};
+    builder.json["cameras"] = Json::array({camera});
     builder.json["nodes"][0]["camera"] = 0;
     return builder;
 }
@@ -172,8 +173,8 @@ TEST(GltfCameras, ScaleAndMirroringDoNotReachTheView)
     const Scene scene = read(builder);
     const Mat4 camera = scene.cameras.at(0).transform;
     const double r = std::sqrt(10.0);
-    const std::array<double, 16> expected = {1,     0,       0,       0, 0, 1 / r, -3 / r, 0,
-                                             0, 3 / r, 1 / r, 0, 7, 8, 9, 1};
+    const std::array<double, 16> expected = {1, 0,     0,     0, 0, 1 / r, -3 / r, 0,
+                                             0, 3 / r, 1 / r, 0, 7, 8,     9,      1};
     for (std::size_t i = 0; i < 16; ++i) EXPECT_NEAR(camera[i], expected[i], 1e-6) << i;
     EXPECT_EQ(scene.objects.at(0).transform[0], -5.0f);  // objects keep both
     builder.json["nodes"][0].erase("matrix");

@@ -60,8 +60,7 @@ TEST(Gltf, LeavesOutVerticesThatMakeNoTriangle)
     const Scene scene = read(builder);
     EXPECT_EQ(scene.meshes.at(0).indices, (Indices{0, 1, 2}));
     EXPECT_EQ(scene.meshes[0].positions.size(), 3u);
-    EXPECT_TRUE(
-        notes(scene, "primitives with vertices left over: 1, which make no triangle"));
+    EXPECT_TRUE(notes(scene, "primitives with vertices left over: 1, which make no triangle"));
 }
 
 TEST(Gltf, NotesPointsAndLines)
@@ -128,8 +127,8 @@ TEST(Gltf, SparseElementsStandInForOthers)
     Builder builder = one_triangle();
     builder.json["accessors"][0]["sparse"] = {
         {"count", 2},
-        {"indices", {{"bufferView", builder.view(std::vector<std::uint16_t>{0, 2})},
-                     {"componentType", 5123}}},
+        {"indices",
+         {{"bufferView", builder.view(std::vector<std::uint16_t>{0, 2})}, {"componentType", 5123}}},
         {"values", {{"bufferView", builder.view(std::vector<float>{5, 6, 7, 8, 9, 10})}}}};
     const std::vector<Float3> expected = {{5, 6, 7}, {1, 1, 0}, {8, 9, 10}};
     EXPECT_EQ(read(builder).meshes.at(0).positions, expected);
@@ -183,7 +182,8 @@ TEST(Gltf, RepairsNormalsWithoutDirection)
     builder.json["meshes"][0]["primitives"][0]["attributes"]["NORMAL"] =
         builder.accessor("VEC3", std::vector<float>{0, 3, 4, 0, 0, 0, nan, 0, 0});
     const Scene scene = read(builder);
-    EXPECT_EQ(scene.meshes.at(0).normals, (std::vector<Float3>{{0, .6f, .8f}, {0, 0, 1}, {0, 0, 1}}));
+    EXPECT_EQ(scene.meshes.at(0).normals,
+              (std::vector<Float3>{{0, .6f, .8f}, {0, 0, 1}, {0, 0, 1}}));
     EXPECT_TRUE(notes(scene, "normals without a direction: 2, made from their triangles"));
 }
 

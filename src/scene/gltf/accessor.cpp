@@ -1,9 +1,9 @@
 // Accessors (glTF 2.0, section 3.6.2), sparse ones too, and the integer types that
 // KHR_mesh_quantization allows for positions and normals.
 //
-// Opening an accessor proves that all its elements lie inside the data; reading then needs no checks
-// but of what the elements hold. All sizes are below 2^53 and counts below 2^28, so that no sum or
-// product here overflows 64 bits.
+// Opening an accessor proves that all its elements lie inside the data; reading then needs no
+// checks but of what the elements hold. All sizes are below 2^53 and counts below 2^28, so that no
+// sum or product here overflows 64 bits.
 
 #include "scene/gltf/accessor.h"
 
@@ -20,12 +20,12 @@ constexpr std::uint64_t kMaxElementsWithoutData = std::uint64_t{1} << 24;
 std::size_t size_of(ComponentType type)
 {
     switch (type) {
-    case ComponentType::int8:
-    case ComponentType::uint8: return 1;
-    case ComponentType::int16:
-    case ComponentType::uint16: return 2;
-    case ComponentType::uint32:
-    case ComponentType::float32: break;
+        case ComponentType::int8:
+        case ComponentType::uint8: return 1;
+        case ComponentType::int16:
+        case ComponentType::uint16: return 2;
+        case ComponentType::uint32:
+        case ComponentType::float32: break;
     }
     return 4;
 }

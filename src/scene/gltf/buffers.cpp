@@ -36,7 +36,8 @@ std::span<const std::uint8_t> Buffers::content(const Document& document, std::si
         if (!files_.contains(path)) files_[path] = read_referenced_file(*uri, path);
         bytes = files_[path];
     }
-    if (bytes.size() < declared) notes.add("buffers shorter than declared", "used as far as they go");
+    if (bytes.size() < declared)
+        notes.add("buffers shorter than declared", "used as far as they go");
     bytes = bytes.first(static_cast<std::size_t>(std::min<std::uint64_t>(bytes.size(), declared)));
     contents_[index] = bytes;
     return bytes;
@@ -55,7 +56,8 @@ BufferView Buffers::view(const Document& document, const Value& reference, Notes
     if (offset + result.length > buffer_length) {
         view.fail("byteOffset " + std::to_string(offset) + " and byteLength " +
                   std::to_string(result.length) + " reach past the " +
-                  std::to_string(buffer_length) + " bytes of buffers[" + std::to_string(index) + "]");
+                  std::to_string(buffer_length) + " bytes of buffers[" + std::to_string(index) +
+                  "]");
     }
     result.stride = whole_or(view, "byteStride", 0);
     if (view.find("byteStride") && (result.stride == 0 || result.stride > kMaxStride)) {
@@ -64,7 +66,8 @@ BufferView Buffers::view(const Document& document, const Value& reference, Notes
     const std::span<const std::uint8_t> bytes = content(document, index, notes);
     if (offset < bytes.size()) {
         const std::uint64_t there = std::min<std::uint64_t>(result.length, bytes.size() - offset);
-        result.bytes = bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(there));
+        result.bytes =
+            bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(there));
     }
     return result;
 }

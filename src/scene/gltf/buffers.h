@@ -24,7 +24,8 @@ public:
     BufferView view(const Document& document, const Value& reference, Notes& notes);
 
 private:
-    std::span<const std::uint8_t> content(const Document& document, std::size_t index, Notes& notes);
+    std::span<const std::uint8_t> content(const Document& document, std::size_t index,
+                                          Notes& notes);
 
     std::map<std::size_t, std::span<const std::uint8_t>> contents_;  // by buffer, cut to its length
     std::map<std::size_t, Bytes> decoded_;                           // by buffer, from data URIs

@@ -74,8 +74,8 @@ std::string without_tag(std::string text)
 Json parse_json(const std::string& path, std::span<const std::uint8_t> text)
 {
     if (depth_of(text) > kMaxDepth) {
-        throw Error(Fault::input, path + ": JSON: nested deeper than " + std::to_string(kMaxDepth) +
-                                      " levels");
+        throw Error(Fault::input,
+                    path + ": JSON: nested deeper than " + std::to_string(kMaxDepth) + " levels");
     }
     try {
         Json json = Json::parse(text.begin(), text.end());

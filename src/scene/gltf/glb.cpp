@@ -12,9 +12,9 @@ namespace sheer::gltf {
 
 namespace {
 
-constexpr std::uint32_t kMagic = 0x46546C67;       // "glTF"
-constexpr std::uint32_t kJsonChunk = 0x4E4F534A;   // "JSON"
-constexpr std::uint32_t kBinaryChunk = 0x004E4942; // "BIN"
+constexpr std::uint32_t kMagic = 0x46546C67;        // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
+constexpr std::uint32_t kBinaryChunk = 0x004E4942;  // "BIN"
 constexpr std::size_t kHeaderSize = 12;
 constexpr std::size_t kChunkHeaderSize = 8;
 

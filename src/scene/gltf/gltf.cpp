@@ -3,8 +3,8 @@
 // Khronos Group. glTF 2.0 Specification, version 2.0.1, 2021.
 // https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 //
-// Files are taken as strangers' work: every fault in them ends in an Error that says where, and what
-// they ask for in memory is bounded by their own size or by a stated limit.
+// Files are taken as strangers' work: every fault in them ends in an Error that says where, and
+// what they ask for in memory is bounded by their own size or by a stated limit.
 
 #include "scene/gltf.h"
 

@@ -59,10 +59,22 @@ Matrix matrix_of(const Placement& placement)
     const Double3& t = placement.translation;
     const Double3& s = placement.scale;
     return {
-        s[0] * (1 - 2 * (y * y + z * z)), s[0] * 2 * (x * y + z * w), s[0] * 2 * (x * z - y * w), 0,
-        s[1] * 2 * (x * y - z * w), s[1] * (1 - 2 * (x * x + z * z)), s[1] * 2 * (y * z + x * w), 0,
-        s[2] * 2 * (x * z + y * w), s[2] * 2 * (y * z - x * w), s[2] * (1 - 2 * (x * x + y * y)), 0,
-        t[0], t[1], t[2], 1,
+        s[0] * (1 - 2 * (y * y + z * z)),
+        s[0] * 2 * (x * y + z * w),
+        s[0] * 2 * (x * z - y * w),
+        0,
+        s[1] * 2 * (x * y - z * w),
+        s[1] * (1 - 2 * (x * x + z * z)),
+        s[1] * 2 * (y * z + x * w),
+        0,
+        s[2] * 2 * (x * z + y * w),
+        s[2] * 2 * (y * z - x * w),
+        s[2] * (1 - 2 * (x * x + y * y)),
+        0,
+        t[0],
+        t[1],
+        t[2],
+        1,
     };
 }
 

@@ -114,7 +114,8 @@ Mesh read_triangles(Import& import, const Value& primitive, const Value& positio
     read_colors(import, attributes, mesh);
     const auto indices = read_or_count_indices(import, primitive, mesh.positions.size());
     mesh.indices = triangulate(read_mode(primitive), indices);
-    if (mesh.indices.empty() || (read_mode(primitive) == Mode::triangles && indices.size() % 3 != 0)) {
+    if (mesh.indices.empty() ||
+        (read_mode(primitive) == Mode::triangles && indices.size() % 3 != 0)) {
         import.notes.add("primitives with vertices left over", "which make no triangle");
     }
     drop_unused_vertices(mesh);

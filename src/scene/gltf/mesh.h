@@ -8,8 +8,8 @@
 
 namespace sheer::gltf {
 
-// Appends the mesh's primitives to the scene's meshes; which these are, in order. Primitives without
-// triangles are left out.
+// Appends the mesh's primitives to the scene's meshes; which these are, in order. Primitives
+// without triangles are left out.
 std::vector<std::uint32_t> read_mesh(Import& import, const Value& mesh);
 
 }  // namespace sheer::gltf

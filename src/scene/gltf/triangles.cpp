@@ -52,15 +52,16 @@ std::vector<std::uint32_t> triangulate(Mode mode, const std::vector<std::uint32_
 {
     std::vector<std::uint32_t> triangles;
     if (mode == Mode::triangles) {
-        triangles.assign(indices.begin(), indices.end() - static_cast<std::ptrdiff_t>(indices.size() % 3));
+        triangles.assign(indices.begin(),
+                         indices.end() - static_cast<std::ptrdiff_t>(indices.size() % 3));
         return triangles;
     }
     const std::size_t count = indices.size() < 3 ? 0 : indices.size() - 2;
     triangles.reserve(3 * count);
     for (std::size_t i = 0; i < count; ++i) {
         if (mode == Mode::triangle_strip) {
-            triangles.insert(triangles.end(), {indices[i], indices[i + 1 + i % 2],
-                                               indices[i + 2 - i % 2]});
+            triangles.insert(triangles.end(),
+                             {indices[i], indices[i + 1 + i % 2], indices[i + 2 - i % 2]});
         } else {
             triangles.insert(triangles.end(), {indices[i + 1], indices[i + 2], indices[0]});
         }

@@ -1,8 +1,9 @@
-// URIs of buffers and images (glTF 2.0, section 2.8; RFC 2397 for data URIs, RFC 3986 for the rest).
+// URIs of buffers and images (glTF 2.0, section 2.8; RFC 2397 for data URIs, RFC 3986 for the
+// rest).
 //
-// Writers differ in whether they percent-encode file names, so a name that does not exist decoded is
-// tried as it stands. Paths may lead out of the file's folder, as in other viewers: what is read is
-// only ever drawn.
+// Writers differ in whether they percent-encode file names, so a name that does not exist decoded
+// is tried as it stands. Paths may lead out of the file's folder, as in other viewers: what is read
+// is only ever drawn.
 
 #include "scene/gltf/uri.h"
 
@@ -124,7 +125,8 @@ std::string path_of_uri(const Value& uri, const std::string& base)
     const fs::path as_decoded = folder / decoded;
     const fs::path as_written = folder / text;
     std::error_code ignored;
-    const bool only_as_written = !fs::exists(as_decoded, ignored) && fs::exists(as_written, ignored);
+    const bool only_as_written =
+        !fs::exists(as_decoded, ignored) && fs::exists(as_written, ignored);
     return (only_as_written ? as_written : as_decoded).string();
 }
 

@@ -33,8 +33,8 @@ public:
     std::size_t size() const;
     Value operator[](std::size_t i) const;
 
-    double number() const;         // finite: JSON has no other
-    std::uint64_t whole() const;   // in [0, 2^53]: a sum of two, or a product with 1024, fits
+    double number() const;        // finite: JSON has no other
+    std::uint64_t whole() const;  // in [0, 2^53]: a sum of two, or a product with 1024, fits
     const std::string& text() const;
     bool truth() const;
 

@@ -1,0 +1,109 @@
+// sheer methods: the table of methods, for people and for programs.
+#include <memory>
+
+#include "cli/commands.h"
+#include "cli/help_text.h"
+#include "cli/output.h"
+#include "methods/method.h"
+
+namespace sheer {
+
+namespace {
+
+const char* name_of(Bias bias)
+{
+    switch (bias) {
+        case Bias::exact: return "exact";
+        case Bias::unbiased: return "unbiased";
+        case Bias::consistent: return "consistent";
+        case Bias::neither: break;
+    }
+    return "neither";
+}
+
+std::string exact_up_to(const MethodRow& row)
+{
+    return row.exact_up_to < 0 ? "any" : std::to_string(row.exact_up_to);
+}
+
+Json parameters_json(const MethodRow& row)
+{
+    Json parameters = Json::array();
+    for (const Parameter& p : row.parameters) {
+        parameters.push_back(
+            {{"name", p.name}, {"values", p.values}, {"default", p.standard}, {"what", p.what}});
+    }
+    return parameters;
+}
+
+Json methods_json()
+{
+    Json methods = Json::array();
+    for (const MethodRow& row : method_table()) {
+        // Any number of fragments is no number: null.
+        const Json most = row.exact_up_to < 0 ? Json() : Json(row.exact_up_to);
+        methods.push_back({{"id", row.id},
+                           {"title", row.title},
+                           {"citation", row.citation},
+                           {"parameters", parameters_json(row)},
+                           {"passes", row.passes},
+                           {"bytes_per_pixel", row.bytes_formula},
+                           {"bounded", row.bounded},
+                           {"order_independent", row.order_independent},
+                           {"coloured", row.coloured},
+                           {"unbiased", row.bias == Bias::exact || row.bias == Bias::unbiased},
+                           {"bias", name_of(row.bias)},
+                           {"exact_up_to", most},
+                           {"bench_only", row.bench_only}});
+    }
+    Json json;
+    json["methods"] = methods;
+    return json;
+}
+
+std::string properties_table()
+{
+    const auto yes = [](bool value) { return value ? "yes" : "no"; };
+    TextTable table{.left = 1, .last_is_prose = true, .rows = {}};
+    table.rows.push_back({"method", "passes", "bytes a pixel", "bounded", "any order", "coloured",
+                          "on average", "exact up to", "what it is"});
+    for (const MethodRow& row : method_table()) {
+        table.rows.push_back({row.id, std::to_string(row.passes), row.bytes_formula,
+                              yes(row.bounded), yes(row.order_independent), yes(row.coloured),
+                              name_of(row.bias), exact_up_to(row),
+                              row.title + std::string(row.bench_only ? " (bench only)" : "")});
+    }
+    return table.text();
+}
+
+std::string methods_text()
+{
+    std::string text = properties_table();
+    text += "\nS: samples a pixel; N: fragments of the pixel; exact up to: fragments a sample\n\n";
+    for (const MethodRow& row : method_table()) {
+        text += std::string(row.id) + ": " + row.citation + "\n";
+        TextTable table{.left = 2, .last_is_prose = true, .rows = {}};
+        for (const Parameter& p : row.parameters) {
+            table.rows.push_back({"    " + std::string(p.name) + "=" + p.values,
+                                  "(" + std::string(p.standard) + ")", p.what});
+        }
+        text += table.text();
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_methods_command(CLI::App& tool)
+{
+    CLI::App* command = tool.add_subcommand("methods", "List the methods and their properties");
+    const auto json = std::make_shared<bool>(false);
+    command->add_flag("--json", *json, "For programs; exact_up_to is null for any number")
+        ->disable_flag_override();
+    command->footer(examples_help(
+        {"sheer methods", "sheer methods --json",
+         "sheer methods --json | jq -r '.methods[] | select(.order_independent) | .id'"}));
+    command->callback([json] { print(*json ? json_text(methods_json()) : methods_text()); });
+}
+
+}  // namespace sheer

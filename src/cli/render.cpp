@@ -1,0 +1,136 @@
+// sheer render: one picture of a scene by one method.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <system_error>
+
+#include <sheer/sheer.h>
+
+#include "cli/commands.h"
+#include "cli/help_text.h"
+#include "cli/stats_json.h"
+#include "cli/values.h"
+#include "cli/view_options.h"
+#include "image/write_image.h"
+#include "methods/method.h"
+#include "support/progress.h"
+#include "support/whole_file.h"
+
+namespace sheer {
+
+namespace {
+
+struct RenderRequest {
+    std::string scene;
+    std::string output;
+    std::string stats;
+    ViewOptions given;
+    bool json = false;
+};
+
+void check_method(const std::string& text)
+{
+    const ChosenMethod method = check_option("--method", [&] { return choose_method(text); });
+    if (method.row->bench_only) {
+        throw Error(Fault::input, "--method: '" + text + "' makes no picture; it is for 'bench'");
+    }
+}
+
+// Whatever can be known to be wrong before the scene is read.
+void check_request(const RenderRequest& request)
+{
+    check_view_options(request.given);
+    check_method(request.given.options.method);
+    check_image_path(request.output);
+    if (request.stats.empty()) return;
+    check_writable(request.stats);
+    std::error_code none;
+    const auto real = [&](const std::string& path) {
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
+    };
+    if (real(request.stats) == real(request.output)) {
+        throw Error(Fault::input, request.stats + ": is both the picture and its statistics");
+    }
+}
+
+std::string summary(const RenderRequest& request, const Stats& stats)
+{
+    return one_line(request.output) + ": " + std::to_string(stats.width) + "x" +
+           std::to_string(stats.height) + ", " + request.given.options.method + ", " +
+           counted(static_cast<std::uint64_t>(stats.samples), "sample") + ", " +
+           counted(stats.triangles, "triangle") + ", " + counted(stats.fragments, "fragment") +
+           ", " + with_commas(static_cast<std::uint64_t>(std::lround(stats.ms_total))) + " ms\n";
+}
+
+Frame render_with_progress(const Scene& scene, const ViewOptions& given)
+{
+    ProgressBar bar("rendering");
+    Options options = given.options;
+    options.progress = [&bar](double part) { bar.update(part); };
+    return render(scene, given.view, options);
+}
+
+void run_render(const RenderRequest& request)
+{
+    check_request(request);
+    const Frame frame = render_with_progress(load(request.scene), request.given);
+    write_image(request.output, frame.image);
+
+    Json stats = stats_json(frame.stats);
+    if (!request.stats.empty()) {
+        const std::string text = json_text(stats);
+        write_whole_file(request.stats, std::as_bytes(std::span(text)));
+    }
+    stats["image"] = request.output;
+    print(request.json ? json_text(stats) : summary(request, frame.stats));
+}
+
+void add_own_options(CLI::App& command, RenderRequest& request)
+{
+    Options& options = request.given.options;
+    command.add_option("SCENE", request.scene, "A file, or builtin:NAME")
+        ->required()
+        ->option_text(" ");
+    add_value(command, "-o,--output", "FILE", "The picture, .exr (linear) or .png (sRGB); required",
+              [&request](auto&, auto& text) { request.output = text; })
+        ->required();
+    add_value(command, "--method", "ID[:NAME=VALUE]...",
+              "How transparency is drawn (" + options.method + ")",
+              [&options](auto&, auto& text) { options.method = text; });
+    add_value(command, "--samples", "S", "Samples a pixel: 1, 2, 4, 8, 16, 32 or 64 (8)",
+              [&request](auto& option, auto& text) {
+                  request.given.view.samples = parse_whole(option, text, 1, 64);
+              });
+    add_value(command, "--seed", "N", "Of the stochastic methods (0)",
+              [&options](auto& option, auto& text) {
+                  options.seed = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
+              });
+    add_value(command, "--backend", "cpu", "Where it runs (cpu)", [](auto& option, auto& text) {
+        parse_choice(option, text, std::array<std::pair<const char*, int>, 1>{{{"cpu", 0}}});
+    });
+    add_value(command, "--stats", "FILE", "Counts, times and memory as JSON",
+              [&request](auto&, auto& text) { request.stats = text; });
+    command.add_flag("--json", request.json, "Print those instead of a line of text")
+        ->disable_flag_override();
+}
+
+}  // namespace
+
+void add_render_command(CLI::App& tool)
+{
+    CLI::App* command = tool.add_subcommand("render", "Draw a picture of a scene");
+    const auto request = std::make_shared<RenderRequest>();
+    add_own_options(*command, *request);
+    add_view_options(*command, request->given);
+    const std::string examples = examples_help(
+        {"sheer render builtin:motor -o motor.png",
+         "sheer render builtin:motor -o blend.png --method blend --size 640x480",
+         "sheer render 'builtin:layers?alpha=0.5&depth=1,2' -o layers.exr --samples 1",
+         "sheer render builtin:quads -o quads.png --filter gaussian --stats quads.json",
+         "sheer render builtin:motor -o side.png --eye 5,3,6 --target 1,0,0 --fov 40"});
+    command->footer(examples + "\n" + methods_help() + "\n" + scenes_help());
+    command->callback([request] { run_render(*request); });
+}
+
+}  // namespace sheer

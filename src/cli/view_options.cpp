@@ -1,0 +1,125 @@
+// VIEW on the command line.
+#include "cli/view_options.h"
+
+#include <array>
+#include <utility>
+
+#include "api/check.h"
+#include "cli/values.h"
+#include "lanes/targets.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, SamplePositions>, 2> kPositions = {
+    {{"standard", SamplePositions::standard}, {"center", SamplePositions::center}}};
+
+constexpr std::array<std::pair<const char*, Filter>, 2> kFilters = {
+    {{"box", Filter::box}, {"gaussian", Filter::gaussian}}};
+
+constexpr std::array<std::pair<const char*, Simd>, 5> kLevels = {{{"scalar", Simd::scalar},
+                                                                  {"sse4", Simd::sse4},
+                                                                  {"avx2", Simd::avx2},
+                                                                  {"avx512", Simd::avx512},
+                                                                  {"neon", Simd::neon}}};
+
+constexpr const char* kGroup = "View";
+
+void add_picture_options(CLI::App& command, View& view)
+{
+    add_value(command, "--size", "WxH", "Pixels (1024x768)", [&view](auto& option, auto& text) {
+        const Size size = parse_size(option, text);
+        view.width = size.width;
+        view.height = size.height;
+    })->group(kGroup);
+    add_value(command, "--sample-positions", "standard|center",
+              "Where a pixel's samples are: at the usual multisample\n"
+              "positions, or all at its centre (standard)",
+              [&view](auto& option, auto& text) {
+                  view.positions = parse_choice(option, text, kPositions);
+              })
+        ->group(kGroup);
+    add_value(
+        command, "--filter", "box|gaussian", "How a pixel's samples are averaged (box)",
+        [&view](auto& option, auto& text) { view.filter = parse_choice(option, text, kFilters); })
+        ->group(kGroup);
+    add_value(
+        command, "--background", "R,G,B[,A]",
+        "Linear, multiplied by A, which is 1 if not given;\n"
+        "0,0,0,0 is transparent (the scene's, or light grey)",
+        [&view](auto& option, auto& text) { view.background = parse_background(option, text); })
+        ->group(kGroup);
+    add_value(command, "--exposure", "EV", "Surfaces are brighter by 2^EV (0)",
+              [&view](auto& option, auto& text) { view.exposure = parse_float(option, text); })
+        ->group(kGroup);
+}
+
+void add_camera_options(CLI::App& command, View& view)
+{
+    auto* camera = add_value(command, "--camera", "NAME|INDEX",
+                             "A camera of the scene (its first; without any, all is shown)",
+                             [&view](auto&, auto& text) { view.camera = text; });
+    auto* eye =
+        add_value(command, "--eye", "X,Y,Z", "Look from here, y up",
+                  [&view](auto& option, auto& text) { view.eye = parse_point(option, text); });
+    auto* target =
+        add_value(command, "--target", "X,Y,Z", "Look at this point",
+                  [&view](auto& option, auto& text) { view.target = parse_point(option, text); });
+    auto* fov =
+        add_value(command, "--fov", "DEG", "Full vertical angle of view, with --eye (40)",
+                  [&view](auto& option, auto& text) { view.fov = parse_fov(option, text); });
+    eye->needs(target);
+    target->needs(eye);
+    fov->needs(eye);
+    camera->excludes(eye);
+    for (CLI::Option* option : {camera, eye, target, fov}) option->group(kGroup);
+}
+
+void add_machine_options(CLI::App& command, Options& options)
+{
+    add_value(command, "--threads", "N", "0: all that the machine has (0)",
+              [&options](auto& option, auto& text) {
+                  options.threads = parse_whole(option, text, 0, 4096);
+              })
+        ->group(kGroup);
+    add_value(command, "--simd", "LEVEL",
+              "Vector instructions: scalar, sse4, avx2, avx512 or neon;\nhere: " +
+                  available_simd_levels() + " (the last of these)",
+              [&options](auto& option, auto& text) {
+                  options.simd = parse_choice(option, text, kLevels);
+              })
+        ->group(kGroup);
+}
+
+}  // namespace
+
+CLI::Option* add_value(CLI::App& command, const std::string& names, const std::string& value,
+                       const std::string& what, ReadValue read)
+{
+    const std::string option = names.substr(names.rfind(',') + 1);
+    return command
+        .add_option_function<std::string>(
+            names,
+            [option, read = std::move(read)](const std::string& text) { read(option, text); }, what)
+        ->type_name(value)     // in messages
+        ->option_text(value);  // in the help, where the parser's own notes are too long
+}
+
+void add_view_options(CLI::App& command, ViewOptions& given)
+{
+    add_picture_options(command, given.view);
+    add_camera_options(command, given.view);
+    add_machine_options(command, given.options);
+}
+
+void check_view_options(const ViewOptions& given)
+{
+    check_option("", [&] { check_view(given.view, given.options); });
+    if (given.view.eye && given.view.eye == given.view.target) {
+        throw Error(Fault::input, "--eye: the same point as --target");
+    }
+    check_option("--simd", [&] { targets_of(given.options.simd); });
+}
+
+}  // namespace sheer

@@ -1,0 +1,69 @@
+// The same picture, bit for bit, whatever the number of threads and the vector instructions.
+#include <gtest/gtest.h>
+
+#include <sheer/sheer.h>
+
+#include "lanes/targets.h"
+
+namespace sheer {
+
+namespace {
+
+std::vector<Simd> levels()
+{
+    std::vector<Simd> found;
+    for (const Simd level : {Simd::scalar, Simd::sse4, Simd::avx2, Simd::avx512, Simd::neon}) {
+        try {
+            targets_of(level);
+            found.push_back(level);
+        } catch (const Error&) {
+        }
+    }
+    return found;
+}
+
+void expect_same_bits(const std::string& source, const View& view, const std::string& method)
+{
+    const Scene scene = load(source);
+    Options options;
+    options.method = method;
+    options.threads = 1;
+    options.simd = Simd::scalar;
+    const Image expected = render(scene, view, options).image;
+    for (const Simd level : levels()) {
+        for (const int threads : {1, 2, 7}) {
+            options.simd = level;
+            options.threads = threads;
+            const Frame frame = render(scene, view, options);
+            EXPECT_EQ(frame.image.pixels, expected.pixels)
+                << source << ", " << method << ", S = " << view.samples << ", "
+                << frame.stats.simd << ", " << threads << " threads";
+        }
+    }
+}
+
+}  // namespace
+
+TEST(Bits, EveryLevelAndAnyNumberOfThreads)
+{
+    View view;
+    view.width = 150;
+    view.height = 110;
+    for (const char* method : {"exact", "blend"}) {
+        for (const int samples : {1, 2, 4, 8, 16, 32, 64}) {
+            view.samples = samples;
+            expect_same_bits("builtin:quads", view, method);
+        }
+        view.samples = 8;
+        view.filter = Filter::gaussian;
+        expect_same_bits("builtin:quads", view, method);
+        view.filter = Filter::box;
+        view.positions = SamplePositions::center;
+        expect_same_bits("builtin:quads", view, method);
+        view.positions = SamplePositions::standard;
+        expect_same_bits("builtin:motor", view, method);
+        expect_same_bits(SHEER_SOURCE_DIR "/scenes/tea_table.glb", view, method);
+    }
+}
+
+}  // namespace sheer
