@@ -84,6 +84,7 @@ inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& 
     if (!tile.opaque.any) tile.opaque.clear();
     TrianglePlanes planes;
     make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
+    tile.opaque.surfaces.push_back({planes.depth, t.primitive});
     TriangleSurface triangle;
     set_surface(tile, chunk, t, surface, triangle);
     for (int i = 0; i < list.count; i += Block::kCount) {
@@ -100,27 +101,26 @@ inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& 
             if (surface.alpha_mode == AlphaMode::mask && opacity[lane] < surface.alpha_cutoff) {
                 continue;
             }
-            const OpaqueFragment fragment{list.pixel[i + lane],
-                                          list.samples(i + lane),
-                                          t.primitive,
-                                          depth[lane],
-                                          {red[lane], green[lane], blue[lane]}};
-            tile.samples.write(tile.opaque, set, planes, fragment);
+            tile.samples.write(tile.opaque, set,
+                               {list.pixel[i + lane],
+                                list.samples(i + lane),
+                                depth[lane],
+                                {red[lane], green[lane], blue[lane]}});
         }
     }
 }
 
 // Moves the run's fragments down to `to`, without those of which nothing can be seen: all samples
 // behind opaque surfaces, or no opacity.
-inline void keep_visible(Tile& tile, const TrianglePlanes& planes, FragmentRun& run, int to)
+inline void keep_visible(Tile& tile, FragmentRun& run, int to)
 {
     FragmentStream& s = tile.stream;
     auto kept = static_cast<std::uint32_t>(to);
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
         std::uint64_t visible = s.sample_bits(i);
         if (tile.opaque.any) {
-            visible &= tile.samples.in_front(tile.opaque, *tile.job.samples, planes, s.pixel[i],
-                                             s.depth[i]);
+            visible = tile.samples.in_front(tile.opaque, *tile.job.samples, run.depth,
+                                            {s.pixel[i], visible, s.depth[i], {}});
         }
         if (visible == 0 || !(s.opacity[i] > 0)) continue;
         s.pixel[kept] = s.pixel[i];
@@ -160,16 +160,10 @@ HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
         f.opacity.store(s.opacity.data() + i);
     }
     FragmentRun& run = s.runs[s.run_count];
-    run = {static_cast<std::uint32_t>(pending.first),
-           static_cast<std::uint32_t>(pending.count),
-           t.primitive,
-           t.object,
-           planes.depth_dx,
-           planes.depth_dy,
-           planes.depth_min,
-           planes.depth_max};
+    run = {static_cast<std::uint32_t>(pending.first), static_cast<std::uint32_t>(pending.count),
+           t.primitive, t.object, planes.depth};
     if (tile.opaque.any || surface.has_vertex_colors || kept < pending.first) {
-        keep_visible(tile, planes, run, kept);
+        keep_visible(tile, run, kept);
     }
     kept += static_cast<int>(run.count);
     if (run.count > 0) ++s.run_count;

@@ -58,15 +58,21 @@ void make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthogr
     p.depth0 = t.depth[0];
     p.depth1 = t.depth[1] - t.depth[0];
     p.depth2 = t.depth[2] - t.depth[0];
-    const double d1 = static_cast<double>(p.depth1), d2 = static_cast<double>(p.depth2);
+    const double d0 = static_cast<double>(t.depth[0]);
+    const double d1 = static_cast<double>(t.depth[1]) - d0;
+    const double d2 = static_cast<double>(t.depth[2]) - d0;
     const double scale = inverse_area * kSubpixels;
-    p.depth_dx = static_cast<float>(
-        -(static_cast<double>(e2.dy) * d1 + static_cast<double>(e0.dy) * d2) * scale);
-    p.depth_dy = static_cast<float>(
-        (static_cast<double>(e2.dx) * d1 + static_cast<double>(e0.dx) * d2) * scale);
-    p.depth_min = std::min({t.depth[0], t.depth[1], t.depth[2]});
-    p.depth_max = std::max({t.depth[0], t.depth[1], t.depth[2]});
-    p.affine = orthographic || p.depth_min == p.depth_max;
+    const double dx = -(static_cast<double>(e2.dy) * d1 + static_cast<double>(e0.dy) * d2) * scale;
+    const double dy = (static_cast<double>(e2.dx) * d1 + static_cast<double>(e0.dx) * d2) * scale;
+    const double at_first_center =
+        static_cast<double>(t.depth[0]) + (static_cast<double>(e2.at_first_center) * d1 +
+                                           static_cast<double>(e0.at_first_center) * d2) *
+                                              inverse_area;
+    const auto [least, most] = std::minmax({t.depth[0], t.depth[1], t.depth[2]});
+    p.depth = {
+        static_cast<float>(dx), static_cast<float>(dy), least, most, 0, at_first_center, dx, dy};
+    p.depth.slack = depth_slack(p.depth);
+    p.affine = orthographic || least == most;
     for (int i = 0; i < 3; ++i) p.inverse_w[i] = -t.depth[i];
 }
 

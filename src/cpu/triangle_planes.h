@@ -3,8 +3,9 @@
 
 #include <cstdint>
 
-#include "geometry/triangles.h"
 #include "geometry/tile_grid.h"
+#include "geometry/triangles.h"
+#include "raster/depth_plane.h"
 
 namespace sheer {
 
@@ -25,8 +26,7 @@ struct TrianglePlanes {
     float inverse_area;
     WeightPlane weight1, weight2;
     float depth0, depth1, depth2;  // at vertex 0, and what vertices 1 and 2 add
-    float depth_dx, depth_dy;      // a pixel to the right and down
-    float depth_min, depth_max;
+    DepthPlane depth;
     float inverse_w[3];
 };
 

@@ -1,4 +1,5 @@
-// Opaque surfaces, sample by sample: lanes over the samples of one pixel.
+// Opaque surfaces, sample by sample: lanes over the samples of one pixel. Where floats can't tell
+// which of two surfaces is nearer, doubles do (raster/depth_plane.h).
 #if defined(SHEER_VISIBILITY_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHEER_VISIBILITY_INL_H
 #undef SHEER_VISIBILITY_INL_H
@@ -6,72 +7,114 @@
 #define SHEER_VISIBILITY_INL_H
 #endif
 
-#include "cpu/triangle_planes.h"
+#include <bit>
+
 #include "lanes/lanes-inl.h"
 #include "raster/opaque_tile.h"
 #include "raster/sample_depth-inl.h"
-#include "raster/sample_set.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
-struct OpaqueFragment {
+// A triangle's part of one pixel.
+struct PixelFragment {
     std::uint32_t pixel;
     std::uint64_t samples;
-    std::uint32_t primitive;
     float depth;  // at the pixel's centre
     float color[3];
 };
 
 // The functions for one number of samples.
 struct OpaqueSamples {
-    // Samples of a pixel at which a transparent triangle is in front of what is opaque.
-    std::uint64_t (*in_front)(const OpaqueTile&, const SampleSet&, const TrianglePlanes&,
-                              std::uint32_t pixel, float depth);
-    void (*write)(OpaqueTile&, const SampleSet&, const TrianglePlanes&, const OpaqueFragment&);
+    // Of a transparent fragment's samples, those in front of what is opaque.
+    std::uint64_t (*in_front)(const OpaqueTile&, const SampleSet&, const DepthPlane&,
+                              const PixelFragment&);
+    // Draws an opaque fragment of the newest of the tile's surfaces.
+    void (*write)(OpaqueTile&, const SampleSet&, const PixelFragment&);
 };
 
+// Of the samples s, s + 1, ... (bits), those at which the plane is nearer than the opaque surface.
+// At equal depth `wins_tie` decides, given the opaque surface.
+template <class WinsTie>
+HWY_INLINE std::uint32_t nearer_precisely(const OpaqueTile& opaque, const SampleSet& set,
+                                          const DepthPlane& plane, std::uint32_t pixel,
+                                          std::size_t s, std::uint32_t bits, WinsTie&& wins_tie)
+{
+    std::uint32_t nearer = 0;
+    for (; bits != 0; bits &= bits - 1) {
+        const auto lane = static_cast<std::size_t>(std::countr_zero(bits));
+        const auto at = pixel * static_cast<std::size_t>(set.count) + s + lane;
+        const OpaqueSurface& other = opaque.surfaces[opaque.surface[at]];
+        const double ours = precise_depth(plane, set, pixel, s + lane);
+        const double theirs = precise_depth(other.depth, set, pixel, s + lane);
+        if (ours < theirs || (ours == theirs && wins_tie(other))) nearer |= 1u << lane;
+    }
+    return nearer;
+}
+
+template <class L>
+struct Comparison {
+    typename L::real depth;
+    std::uint32_t nearer, doubtful;  // samples of the fragment, bits
+};
+
+template <class L>
+HWY_INLINE Comparison<L> compare(const OpaqueTile& opaque, const SampleSet& set,
+                                 const DepthPlane& plane, const PixelFragment& f, std::size_t s)
+{
+    using real = typename L::real;
+    const std::size_t at = f.pixel * static_cast<std::size_t>(set.count) + s;
+    const real depth = sample_depth<L>(plane, set, f.depth, s);
+    const real other = real::load(opaque.depth.data() + at);
+    const real slack = real(plane.slack) + real::load(opaque.slack.data() + at);
+    const auto here = L::mask_of_bits(static_cast<std::uint32_t>(f.samples >> s));
+    const auto nearer = depth + slack < other, farther = other + slack < depth;
+    return {depth, (here & nearer).bits(), (here & !(nearer | farther)).bits()};
+}
+
 template <int S>
-std::uint64_t in_front(const OpaqueTile& opaque, const SampleSet& set, const TrianglePlanes& planes,
-                       std::uint32_t pixel, float depth)
+std::uint64_t in_front(const OpaqueTile& opaque, const SampleSet& set, const DepthPlane& plane,
+                       const PixelFragment& f)
 {
     using L = Lanes<S>;
-    const DepthPlane plane{planes.depth_dx, planes.depth_dy, planes.depth_min, planes.depth_max};
-    const auto count = static_cast<std::uint32_t>(set.count);
     std::uint64_t bits = 0;
-    for (std::uint32_t s = 0; s < count; s += L::kCount) {
-        const auto behind = L::real::load(opaque.depth.data() + pixel * count + s);
-        bits |= std::uint64_t{(sample_depth<L>(plane, set, depth, s) < behind).bits()} << s;
+    for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
+        const Comparison<L> c = compare<L>(opaque, set, plane, f, s);
+        const std::uint32_t nearer =
+            c.nearer | nearer_precisely(opaque, set, plane, f.pixel, s, c.doubtful,
+                                        [](const OpaqueSurface&) { return false; });
+        bits |= std::uint64_t{nearer} << s;
     }
     return bits;
 }
 
-// The smallest (depth, primitive) stays.
 template <int S>
-void write_opaque(OpaqueTile& opaque, const SampleSet& set, const TrianglePlanes& planes,
-                  const OpaqueFragment& f)
+void write_opaque(OpaqueTile& opaque, const SampleSet& set, const PixelFragment& f)
 {
     using L = Lanes<S>;
     using real = typename L::real;
     using whole = typename L::whole;
-    const DepthPlane plane{planes.depth_dx, planes.depth_dy, planes.depth_min, planes.depth_max};
-    const auto count = static_cast<std::uint32_t>(set.count);
-    const whole primitive(static_cast<std::int32_t>(f.primitive));
-    for (std::uint32_t s = 0; s < count; s += L::kCount) {
-        const std::uint32_t at = f.pixel * count + s;
-        const real depth = sample_depth<L>(plane, set, f.depth, s);
-        const real old_depth = real::load(opaque.depth.data() + at);
-        const whole old_primitive = whole::load(opaque.primitive.data() + at);
-        const auto nearer = (depth < old_depth) |
-                            ((depth == old_depth) & L::less_unsigned(primitive, old_primitive));
-        const auto wins = nearer & L::mask_of_bits(static_cast<std::uint32_t>(f.samples >> s));
-        L::select(wins, depth, old_depth).store(opaque.depth.data() + at);
-        L::select(wins, primitive, old_primitive).store(opaque.primitive.data() + at);
-        float* channels[3] = {opaque.red.data() + at, opaque.green.data() + at,
-                              opaque.blue.data() + at};
-        for (int c = 0; c < 3; ++c) {
-            L::select(wins, real(f.color[c]), real::load(channels[c])).store(channels[c]);
-        }
+    const auto newest = static_cast<std::uint32_t>(opaque.surfaces.size() - 1);
+    const OpaqueSurface& ours = opaque.surfaces[newest];
+    for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
+        const Comparison<L> c = compare<L>(opaque, set, ours.depth, f, s);
+        const std::uint32_t nearer =
+            c.nearer |
+            nearer_precisely(opaque, set, ours.depth, f.pixel, s, c.doubtful,
+                             [&](const OpaqueSurface& o) { return ours.primitive < o.primitive; });
+        const auto wins = L::mask_of_bits(nearer);
+        const std::size_t at = f.pixel * static_cast<std::size_t>(set.count) + s;
+        const auto put = [&](AlignedArray<float>& array, real value) HWY_ATTR {
+            L::select(wins, value, real::load(array.data() + at)).store(array.data() + at);
+        };
+        put(opaque.depth, c.depth);
+        put(opaque.slack, real(ours.depth.slack));
+        put(opaque.red, real(f.color[0]));
+        put(opaque.green, real(f.color[1]));
+        put(opaque.blue, real(f.color[2]));
+        std::uint32_t* surface = opaque.surface.data() + at;
+        L::select(wins, whole(static_cast<std::int32_t>(newest)), whole::load(surface))
+            .store(surface);
     }
 }
 

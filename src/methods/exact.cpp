@@ -3,9 +3,9 @@
 //
 // A pixel's fragments are sorted once, by their depth at the first sample that each covers, and
 // composited with lanes over the samples; a sample at which that order proves wrong (surfaces that
-// cross inside the pixel) is sorted and composited again for itself. The order is by (depth,
-// primitive), so the picture does not depend on the order of arrival, to the last bit. 36 bytes a
-// fragment, without bound.
+// cross inside the pixel), or too close to call in floats, is sorted in doubles and composited
+// again for itself. The order is by (depth, primitive), so the picture does not depend on the order
+// of arrival, to the last bit. 36 bytes a fragment, without bound.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -38,7 +39,7 @@ struct Layer {
 static_assert(sizeof(Layer) == 36);
 
 struct LayerRun {
-    DepthPlane plane;
+    DepthPlane depth;
     std::uint32_t primitive;
 };
 
@@ -54,6 +55,18 @@ inline bool nearer(const Sorted& a, const Sorted& b)
     return a.key < b.key;
 }
 
+// The same at one sample.
+struct PreciselySorted {
+    double depth;
+    std::uint32_t primitive;
+    const Layer* layer;
+};
+
+inline bool nearer(const PreciselySorted& a, const PreciselySorted& b)
+{
+    return a.depth < b.depth || (a.depth == b.depth && a.primitive < b.primitive);
+}
+
 // Floats in the order of unsigned integers.
 inline std::uint64_t ordered_bits(float x)
 {
@@ -61,12 +74,8 @@ inline std::uint64_t ordered_bits(float x)
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
-inline std::uint64_t key_of(float depth, const LayerRun& run)
-{
-    return ordered_bits(depth) << 32 | run.primitive;
-}
-
-inline void insert_sorted(std::vector<Sorted>& sorted, const Sorted& item)
+template <class Item>
+void insert_sorted(std::vector<Item>& sorted, const Item& item)
 {
     sorted.push_back(item);
     std::size_t to = sorted.size() - 1;
@@ -117,7 +126,6 @@ template <int S>
 struct ExactStore {
     using L = Lanes<S>;
     using real = typename L::real;
-    using whole = typename L::whole;
     using mask = typename L::mask;
 
     const SampleSet& set;
@@ -126,7 +134,7 @@ struct ExactStore {
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
     std::vector<std::uint32_t> by_pixel;  // indices of layers
     std::vector<Sorted> order;
-    std::vector<Sorted> sample_order;  // of one sample of it
+    std::vector<PreciselySorted> sample_order;  // of one sample of it
 
     explicit ExactStore(const StoreShape& shape) : set(*shape.samples) {}
 
@@ -144,8 +152,7 @@ struct ExactStore {
         for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
             const FragmentRun& run = f.runs[r];
             const auto number = static_cast<std::uint32_t>(runs.size());
-            runs.push_back(
-                {{run.depth_dx, run.depth_dy, run.depth_min, run.depth_max}, run.primitive});
+            runs.push_back({run.depth, run.primitive});
             for (std::size_t i = run.first; i < run.first + run.count; ++i) {
                 *to++ = {f.red[i],   f.green[i], f.blue[i],    f.opacity[i],     f.depth[i],
                          f.pixel[i], number,     f.samples[i], f.samples_high[i]};
@@ -203,54 +210,50 @@ struct ExactStore {
             const Layer& layer = layers[by_pixel[i]];
             const LayerRun& run = runs[layer.run];
             const auto s = static_cast<std::size_t>(std::countr_zero(layer.bits()));
-            const float offset = set.offset_x[s] * run.plane.dx + set.offset_y[s] * run.plane.dy;
-            const float depth = std::clamp(layer.depth + offset, run.plane.least, run.plane.most);
-            const Sorted item{key_of(depth, run), &layer, &run};
+            const float offset = set.offset_x[s] * run.depth.dx + set.offset_y[s] * run.depth.dy;
+            const float depth = std::clamp(layer.depth + offset, run.depth.least, run.depth.most);
+            const Sorted item{ordered_bits(depth) << 32 | run.primitive, &layer, &run};
             if (few) {
                 insert_sorted(order, item);
             } else {
                 order.push_back(item);
             }
         }
-        if (!few) std::sort(order.begin(), order.end(), nearer);
+        if (!few)
+            std::sort(order.begin(), order.end(),
+                      [](const Sorted& a, const Sorted& b) { return nearer(a, b); });
     }
     static constexpr std::size_t kInsertionSortMost = 32;
 
-    // Lanes (bits) at which the common order is wrong.
+    // Lanes (bits) at which the common order is wrong or in doubt.
     HWY_INLINE std::uint32_t composite_in_order(std::size_t s, Composite<L>& sum) const
     {
         real last_depth(-std::numeric_limits<float>::infinity());
-        whole last_primitive(0);
-        mask wrong{L::first(0)};
+        mask doubtful{L::first(0)};
         for (const Sorted& item : order) {
             const Layer& layer = *item.layer;
             const mask here = L::mask_of_bits(static_cast<std::uint32_t>(layer.bits() >> s));
-            const real depth = sample_depth<L>(item.run->plane, set, layer.depth, s);
-            const whole primitive(static_cast<std::int32_t>(item.run->primitive));
-            wrong = wrong |
-                    (here & ((depth < last_depth) | ((depth == last_depth) &
-                                                     L::less_unsigned(primitive, last_primitive))));
-            last_depth = L::select(here, depth, last_depth);
-            last_primitive = L::select(here, primitive, last_primitive);
+            const real depth = sample_depth<L>(item.run->depth, set, layer.depth, s);
+            const real slack(item.run->depth.slack);
+            doubtful = doubtful | (here & (depth - slack <= last_depth));
+            last_depth = L::select(here, depth + slack, last_depth);
             sum.add(layer, L::zero_unless(here, real(layer.opacity)));
         }
-        return wrong.bits();
+        return doubtful.bits();
     }
 
     // The common order is nearly right at the sample: insertion takes few moves.
     Composite<Lanes<1>> composite_sample(std::size_t s)
     {
-        using One = Lanes<1>;
         sample_order.clear();
         for (const Sorted& item : order) {
             if ((item.layer->bits() >> s & 1) == 0) continue;
-            float depth[One::kCount];
-            sample_depth<One>(item.run->plane, set, item.layer->depth, s).store(depth);
-            insert_sorted(sample_order, {key_of(depth[0], *item.run), item.layer, item.run});
+            insert_sorted(sample_order, {precise_depth(item.run->depth, set, item.layer->pixel, s),
+                                         item.run->primitive, item.layer});
         }
-        Composite<One> sum;
-        for (const Sorted& item : sample_order) {
-            sum.add(*item.layer, One::real(item.layer->opacity));
+        Composite<Lanes<1>> sum;
+        for (const PreciselySorted& item : sample_order) {
+            sum.add(*item.layer, Lanes<1>::real(item.layer->opacity));
         }
         return sum;
     }

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "geometry/tile_grid.h"
+#include "raster/depth_plane.h"
 #include "support/aligned.h"
 
 namespace sheer {
@@ -12,10 +12,9 @@ namespace sheer {
 // Fragments [first, first + count) of the stream come from one triangle, each from another pixel.
 struct FragmentRun {
     std::uint32_t first, count;
-    std::uint32_t primitive;     // stable identity; breaks ties in depth
-    std::uint32_t object;        // index into Scene::objects
-    float depth_dx, depth_dy;    // of depth, in pixels to the right and down
-    float depth_min, depth_max;  // of the triangle; depth at a sample is clamped to them
+    std::uint32_t primitive;  // stable identity; breaks ties in depth
+    std::uint32_t object;     // index into Scene::objects
+    DepthPlane depth;
 };
 
 // Structure of arrays; kSlack values past `size` may be written to.

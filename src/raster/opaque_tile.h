@@ -3,19 +3,27 @@
 
 #include <cstdint>
 #include <limits>
+#include <vector>
 
-#include "geometry/tile_grid.h"
+#include "raster/depth_plane.h"
 #include "support/aligned.h"
 
 namespace sheer {
 
+struct OpaqueSurface {
+    DepthPlane depth;
+    std::uint32_t primitive;  // breaks ties in depth: the smaller is in front
+};
+
 // Sample s of pixel p (row * kTileSize + column) is element p * samples + s.
 struct OpaqueTile {
     int samples = 0;
-    bool any = false;           // false: nothing opaque here, and the arrays hold nothing
-    AlignedArray<float> depth;  // infinity where nothing opaque is
-    AlignedArray<std::uint32_t> primitive;
+    bool any = false;                     // false: nothing opaque here, and the arrays hold nothing
+    AlignedArray<float> depth;            // infinity where nothing opaque is
+    AlignedArray<float> slack;            // of the depth: DepthPlane::slack
+    AlignedArray<std::uint32_t> surface;  // index into surfaces
     AlignedArray<float> red, green, blue;
+    std::vector<OpaqueSurface> surfaces;  // of the triangles drawn
 
     OpaqueTile() = default;
     // The arrays are made only for scenes that have opaque surfaces.
@@ -24,7 +32,8 @@ struct OpaqueTile {
         if (!scene_has_opaque) return;
         const int size = kTilePixels * samples;
         depth = AlignedArray<float>(size);
-        primitive = AlignedArray<std::uint32_t>(size);
+        slack = AlignedArray<float>(size);
+        surface = AlignedArray<std::uint32_t>(size);
         red = AlignedArray<float>(size);
         green = AlignedArray<float>(size);
         blue = AlignedArray<float>(size);
@@ -33,6 +42,7 @@ struct OpaqueTile {
     void clear()
     {
         any = true;
+        surfaces.clear();
         std::fill_n(depth.data(), depth.size(), std::numeric_limits<float>::infinity());
     }
 };

@@ -7,15 +7,10 @@
 #endif
 
 #include "lanes/lanes-inl.h"
-#include "raster/sample_set.h"
+#include "raster/depth_plane.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
-
-struct DepthPlane {
-    float dx, dy;       // a pixel to the right and down
-    float least, most;  // over the triangle
-};
 
 // Samples first, first + 1, ... of one pixel. The one expression for depth at a sample: whatever
 // compares depths compares the same bits.

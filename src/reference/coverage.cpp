@@ -4,12 +4,22 @@
 // Edge functions: J. Pineda, "A parallel algorithm for polygon rasterization", 1988. Top-left rule:
 // Direct3D 11.3 functional specification, section 3.4.1.3 (docs/numerics.md, "Coverage").
 #include <algorithm>
+#include <cmath>
 
 #include "reference/fragments.h"
 
 namespace sheer::reference {
 
 namespace {
+
+// Surfaces that coincide are a tie, whatever the last bits of their depths.
+double round_to_bits(double depth)
+{
+    constexpr int kBits = 32;
+    int exponent = 0;
+    const double mantissa = std::frexp(depth, &exponent);
+    return std::ldexp(std::nearbyint(std::ldexp(mantissa, kBits)), exponent - kBits);
+}
 
 // Coordinates stay below 2^24 in magnitude, so that products below are under 2^50.
 struct Point {
@@ -104,7 +114,7 @@ double depth_at(const Triangle& triangle, PixelAddress pixel, SamplePoint sample
     const double d1 = triangle.depth[1];
     const double d2 = triangle.depth[2];
     const double depth = d0 + weights.b[1] * (d1 - d0) + weights.b[2] * (d2 - d0);
-    return std::clamp(depth, std::min({d0, d1, d2}), std::max({d0, d1, d2}));
+    return round_to_bits(std::clamp(depth, std::min({d0, d1, d2}), std::max({d0, d1, d2})));
 }
 
 }  // namespace sheer::reference

@@ -20,7 +20,7 @@ using shapes::scaled;
 using shapes::turned_about_x;
 using shapes::turned_about_z;
 
-constexpr double kGearStage1 = 1.50, kGearStage2 = 2.06;  // x of the middles of the two stages
+constexpr double kGearStages[] = {1.46, 1.80, 2.14};  // x of their middles
 
 // Faces the other way along x, seen from above.
 Placement mirrored_end()
@@ -81,12 +81,22 @@ void add_rotor(Assembly& motor)
     motor.place(ring, moved(0.5 * length + 0.01, 0, 0));
     motor.place(ring, moved(-0.5 * length - 0.01, 0, 0) * mirrored_end());
     motor.place(motor.add(motor::rotor_shaft(motor.detail), "rotor shaft"));
-    motor.place(motor.add(motor::fan(motor.detail), "fan"), moved(-1.66, 0, 0));
+    const std::uint32_t discs[2] = {
+        motor.add(motor::brake_disc(motor.detail, false), "standing brake disc"),
+        motor.add(motor::brake_disc(motor.detail, true), "turning brake disc")};
+    for (int i = 0; i < motor::kBrakeDiscs; ++i)
+        motor.place(discs[i % 2], moved(-1.625 + motor::kBrakePitch * i, 0, 0));
+    motor.place(motor.add(motor::brake_drum(motor.detail), "brake drum"), moved(-1.64, 0, 0));
+    motor.place(motor.add(motor::fan(motor.detail), "fan"), moved(-1.96, 0, 0));
 }
 
 void add_casings(Assembly& motor)
 {
     motor.place(motor.add(motor::frame(motor.detail), "frame"));
+    motor.place(motor.add(motor::water_jacket(motor.detail), "water jacket"));
+    const std::uint32_t guide = motor.add(motor::air_guide(motor.detail), "air guide");
+    motor.place(guide);
+    motor.place(guide, mirrored_end());
     const std::uint32_t bell = motor.add(motor::end_bell(motor.detail), "end bell");
     motor.place(bell, moved(0.905, 0, 0));
     // Turned so that its window, mirrored with it, opens on the same side.
@@ -100,7 +110,7 @@ void add_casings(Assembly& motor)
     const std::uint32_t stud = motor.add(motor::terminal_stud(motor.detail), "stud");
     for (int i = -1; i <= 1; ++i)
         motor.place(stud, moved(0.16 * i, 1.205, 0.08) * turned_about_z(kPi / 2));
-    motor.place(motor.add(motor::lifting_eye(motor.detail), "lifting eye"), moved(0.62, 1.10, 0));
+    motor.place(motor.add(motor::lifting_eye(motor.detail), "lifting eye"), moved(0.62, 1.14, 0));
     const std::uint32_t foot = motor.add(motor::foot(), "foot");
     for (const double x : {-0.65, 0.65}) {
         motor.place(foot, moved(x, 0, 0));
@@ -118,10 +128,10 @@ void add_bolts(Assembly& motor)
         for (int i = 0; i < count; ++i)
             motor.place(bolt, turned_about_x(motor::kWindowTo + arc * (i + 0.5) / count) * place);
     };
-    on_flange(18, moved(0.957, 1.01, 0));
-    on_flange(18, moved(-0.957, 1.01, 0) * mirrored_end());
+    on_flange(18, moved(0.957, 1.075, 0));
+    on_flange(18, moved(-0.957, 1.075, 0) * mirrored_end());
     on_flange(24, moved(1.292, 1.005, 0));
-    on_flange(12, moved(2.71, 0.45, 0));
+    on_flange(12, moved(2.712, 0.46, 0));
     const Placement up = turned_about_z(kPi / 2);
     for (const double z : {-0.86, 0.86})
         for (const double x : {-0.79, -0.51, 0.51, 0.79})
@@ -141,11 +151,11 @@ void add_gear_stage(Assembly& motor, const std::uint32_t (&parts)[6], double x)
         // The sun and the ring have a tooth towards each planet, so it has gaps towards both.
         motor.place(parts[2], pin * turned_about_x(kPi / motor::kPlanetTeeth));
         motor.place(parts[3], pin);
-        for (int k = 0; k < 16; ++k)
-            motor.place(parts[4], pin * turned_about_x(kTurn * k / 16) * moved(0, 0.095, 0));
+        for (int k = 0; k < 12; ++k)
+            motor.place(parts[4], pin * turned_about_x(kTurn * k / 12) * moved(0, 0.095, 0));
     }
     for (const double side : {-1, 1})
-        motor.place(parts[5], at * moved(side * (motor::kGearWidth / 2 + 0.055), 0, 0));
+        motor.place(parts[5], at * moved(side * (motor::kGearWidth / 2 + 0.045), 0, 0));
 }
 
 void add_gearbox(Assembly& motor)
@@ -159,11 +169,11 @@ void add_gearbox(Assembly& motor)
         motor.add(motor::needle(detail), "needle"),
         motor.add(motor::carrier_plate(detail), "carrier plate"),
     };
-    add_gear_stage(motor, parts, kGearStage1);
-    add_gear_stage(motor, parts, kGearStage2);
-    motor.place(motor.add(motor::middle_shaft(detail), "middle shaft"),
-                moved(kGearStage2 - 0.01, 0, 0));
-    const Placement out = moved(kGearStage2 + 0.20, 0, 0);
+    for (const double x : kGearStages) add_gear_stage(motor, parts, x);
+    const std::uint32_t shaft = motor.add(motor::middle_shaft(detail), "middle shaft");
+    motor.place(shaft, moved(kGearStages[1], 0, 0));
+    motor.place(shaft, moved(kGearStages[2], 0, 0));
+    const Placement out = moved(kGearStages[2] + 0.135, 0, 0);
     motor.place(motor.add(motor::output_shaft(detail), "output shaft"), out);
     motor.place(motor.add(motor::key(), "key"), out * turned_about_x(kTurn / 8));
 }
@@ -195,10 +205,10 @@ Camera make_camera()
     camera.yfov = 0.42f;
     camera.aspect = 1;
     camera.znear = 1;
-    const shapes::Vec target = {0.55, -0.05, 0};
-    const shapes::Vec back = shapes::normalize({0.68, 0.42, 0.80});
+    const shapes::Vec target = {0.67, -0.27, -0.10};
+    const shapes::Vec back = shapes::normalize({0.90, 0.45, 0.75});
     const shapes::Vec right = shapes::normalize(shapes::cross({0, 1, 0}, back));
-    const Placement pose = {right, shapes::cross(back, right), back, target + 10.6 * back};
+    const Placement pose = {right, shapes::cross(back, right), back, target + 10.9 * back};
     camera.transform = shapes::to_matrix(pose);
     return camera;
 }
@@ -222,7 +232,7 @@ Scene make_motor(const Query& query)
     add_gearbox(motor);
     add_bearings(motor);
     motor.scene.cameras.push_back(make_camera());
-    motor.scene.background = {1, 1, 1, 1};
+    motor.scene.background = {0.05f, 0.06f, 0.08f, 1};
     return std::move(motor.scene);
 }
 

@@ -26,6 +26,18 @@ void add_wall(Solid& solid, const std::vector<ProfilePoint>& outside,
     add_lathe(solid, lathe);
 }
 
+// A plate across z, its outline counter-clockwise in x and y and starlike around its mean.
+void add_plate(Solid& solid, const std::vector<ProfilePoint>& outline, double half_thickness)
+{
+    shapes::Loft loft;
+    for (int side = -1; side <= 1; side += 2) {
+        shapes::Ring ring;
+        for (const ProfilePoint& p : outline) ring.push_back({p.x, p.r, side * half_thickness});
+        loft.rings.push_back(std::move(ring));
+    }
+    shapes::add_loft(solid, loft);
+}
+
 }  // namespace
 
 Solid frame(const Detail& detail)
@@ -37,14 +49,14 @@ Solid frame(const Detail& detail)
         const auto add = [&](double part, double r) {
             prism.outer.push_back({kCutFrom + (i + part) * pitch, r});
         };
-        add(0, 1.0);
-        add(0.32, 1.0);
-        add(0.42, 1.10);
-        add(0.58, 1.10);
-        add(0.68, 1.0);
+        add(0, 1.05);
+        add(0.32, 1.05);
+        add(0.42, 1.14);
+        add(0.58, 1.14);
+        add(0.68, 1.05);
     }
-    prism.outer.push_back({kCutTo, 1.0});
-    prism.inner = shapes::at_radius(prism.outer, 0.955);
+    prism.outer.push_back({kCutTo, 1.05});
+    prism.inner = shapes::at_radius(prism.outer, 1.02);
     prism.from = -0.90;
     prism.to = 0.90;
     prism.slices = detail.count(10, 1);
@@ -54,11 +66,35 @@ Solid frame(const Detail& detail)
     return solid;
 }
 
+Solid water_jacket(const Detail& detail)
+{
+    Solid solid;
+    const int segments = detail.count(96, 8);
+    add_wall(solid, {{-0.89, 0.96}, {0.89, 0.96}}, {{-0.89, 0.935}, {0.89, 0.935}}, segments);
+    // Baffles in the water's space between it and the frame.
+    for (int i = 0; i < 10; ++i) {
+        const double x = -0.86 + 0.19 * i;
+        add_wall(solid, {{x, 1.017}, {x + 0.012, 1.017}}, {{x, 0.962}, {x + 0.012, 0.962}},
+                 segments);
+    }
+    return solid;
+}
+
+Solid air_guide(const Detail& detail)
+{
+    Solid solid;
+    add_lathe(solid, {{{0.820, 0.915}, {0.832, 0.915}, {0.882, 0.78}, {0.882, 0.40}, {0.832, 0.32},
+                       {0.820, 0.32}, {0.870, 0.40}, {0.870, 0.78}},
+                      detail.count(96, 8),
+                      true});
+    return solid;
+}
+
 Solid end_bell(const Detail& detail)
 {
     Solid solid;
     add_wall(solid,
-             {{0.0, 1.04}, {0.05, 1.04}, {0.05, 0.98}, {0.12, 0.93}, {0.17, 0.80}, {0.20, 0.60},
+             {{0.0, 1.11}, {0.05, 1.11}, {0.05, 1.02}, {0.12, 0.96}, {0.17, 0.80}, {0.20, 0.60},
               {0.22, 0.40}, {0.30, 0.36}, {0.31, 0.34}},
              {{0.0, 0.94}, {0.01, 0.94}, {0.04, 0.92}, {0.08, 0.88}, {0.13, 0.77}, {0.15, 0.60},
               {0.15, 0.30}, {0.28, 0.30}, {0.31, 0.30}},
@@ -67,7 +103,7 @@ Solid end_bell(const Detail& detail)
     for (int i = 0; i < 12; ++i) {
         const double angle = kCutFrom + (kCutTo - kCutFrom) * (i + 0.5) / 12;
         Solid rib;
-        add_box(rib, {0.20, 0.41, -0.012}, {0.26, 0.84, 0.012}, 0.005);
+        add_plate(rib, {{0.203, 0.62}, {0.22, 0.42}, {0.29, 0.37}, {0.27, 0.46}}, 0.014);
         add_placed(solid, rib, shapes::turned_about_x(angle));
     }
     return solid;
@@ -77,23 +113,23 @@ Solid fan_cowl(const Detail& detail)
 {
     Solid solid;
     const int segments = detail.count(96, 8);
-    add_wall(solid, {{-0.52, 0.86}, {-0.47, 0.955}, {-0.40, 0.975}, {0.0, 0.975}},
-             {{-0.51, 0.85}, {-0.46, 0.94}, {-0.40, 0.96}, {0.0, 0.96}}, segments);
+    add_wall(solid, {{-0.83, 0.86}, {-0.78, 0.955}, {-0.71, 0.975}, {0.0, 0.975}},
+             {{-0.82, 0.85}, {-0.77, 0.94}, {-0.71, 0.96}, {0.0, 0.96}}, segments);
     // The grille: wires on circles, held by spokes.
-    const int around = detail.count(8, 4);
+    const int around = detail.count(6, 4);
     for (int ring = 0; ring < 7; ++ring) {
-        Lathe wire{{}, segments, true};
+        Lathe wire{{}, detail.count(72, 8), true};
         for (int i = 0; i < around; ++i) {
             const double angle = -kTurn * i / around;  // clockwise in (x, r)
-            wire.profile.push_back({-0.515 + 0.009 * own_cos(angle),
+            wire.profile.push_back({-0.825 + 0.009 * own_cos(angle),
                                     0.15 + 0.11 * ring + 0.009 * own_sin(angle)});
         }
         add_lathe(solid, wire);
     }
     for (int i = 0; i < 6; ++i) {
         const double angle = kTurn * (i + 0.5) / 6;
-        shapes::add_tube(solid, {{polar(-0.50, 0.13, angle), polar(-0.50, 0.5, angle),
-                                  polar(-0.50, 0.845, angle)},
+        shapes::add_tube(solid, {{polar(-0.81, 0.13, angle), polar(-0.81, 0.5, angle),
+                                  polar(-0.81, 0.845, angle)},
                                  {{1, 0, 0}},
                                  0.010,
                                  detail.count(10, 4)});
@@ -105,15 +141,16 @@ Solid gear_casing(const Detail& detail)
 {
     Solid solid;
     add_wall(solid,
-             {{0.0, 1.04}, {0.05, 1.04}, {0.05, 0.97}, {0.10, 0.95}, {0.98, 0.95}, {1.10, 0.90},
-              {1.20, 0.74}, {1.26, 0.52}, {1.45, 0.47}, {1.47, 0.45}},
-             {{0.0, 0.90}, {0.02, 0.90}, {0.05, 0.90}, {0.10, 0.90}, {0.96, 0.90}, {1.06, 0.85},
+             {{0.0, 1.04}, {0.05, 1.04}, {0.05, 0.97}, {0.10, 0.95}, {1.02, 0.95}, {1.11, 0.90},
+              {1.20, 0.74}, {1.26, 0.54}, {1.45, 0.50}, {1.47, 0.49}},
+             {{0.0, 0.90}, {0.02, 0.90}, {0.04, 0.90}, {0.10, 0.90}, {1.02, 0.90}, {1.08, 0.85},
               {1.15, 0.70}, {1.21, 0.43}, {1.45, 0.43}, {1.47, 0.43}},
              detail.count(96, 8));
     for (int i = 0; i < 8; ++i) {
         const double angle = kCutFrom + (kCutTo - kCutFrom) * (i + 0.5) / 8;
         Solid rib;
-        add_box(rib, {1.16, 0.54, -0.018}, {1.34, 0.82, 0.018}, 0.007);
+        add_plate(rib, {{1.115, 0.885}, {1.205, 0.735}, {1.265, 0.525}, {1.41, 0.485}, {1.33, 0.62}},
+                  0.018);
         add_placed(solid, rib, shapes::turned_about_x(angle));
     }
     return solid;
@@ -134,7 +171,7 @@ Solid terminal_box()
 Solid terminal_lid()
 {
     Solid solid;
-    add_box(solid, {-0.35, 1.46, -0.30}, {0.35, 1.51, 0.30}, 0.015);
+    add_box(solid, {-0.35, 1.46, -0.30}, {0.35, 1.51, 0.30}, 0.008);
     return solid;
 }
 
@@ -197,19 +234,27 @@ Solid foot()
 {
     Solid solid;
     add_box(solid, {-0.20, -1.22, 0.46}, {0.20, -1.16, 0.92}, 0.012);  // sole
-    add_box(solid, {-0.17, -1.158, 0.50}, {-0.13, -0.84, 0.80}, 0.008);  // webs
-    add_box(solid, {0.13, -1.158, 0.50}, {0.17, -0.84, 0.80}, 0.008);
+    for (int side = -1; side <= 1; side += 2) {
+        Solid web;
+        add_plate(web, {{0.90, -1.155}, {0.62, -0.87}, {0.48, -0.96}, {0.48, -1.155}}, 0.02);
+        // From the plane of x and y to that of z and y.
+        add_placed(solid, web, {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}, {0.15 * side, 0, 0}});
+    }
     return solid;
 }
 
 Solid base_plate(const Detail& detail)
 {
     Solid solid;
-    add_box(solid, {-1.55, -1.30, -1.02}, {2.05, -1.225, 1.02}, 0.02);
+    add_box(solid, {-1.45, -1.30, -1.02}, {2.25, -1.225, 1.02}, 0.012);
     for (int side = -1; side <= 1; side += 2) {
         const double z = 0.78 * side;
-        add_box(solid, {-1.50, -1.46, z - 0.10}, {2.00, -1.43, z + 0.10}, 0.008);
-        add_box(solid, {-1.50, -1.428, z - 0.015}, {2.00, -1.302, z + 0.015}, 0.005);
+        add_box(solid, {-1.40, -1.46, z - 0.10}, {2.20, -1.43, z + 0.10}, 0.005);
+        add_box(solid, {-1.40, -1.428, z - 0.015}, {2.20, -1.302, z + 0.015}, 0.005);
+    }
+    for (int i = 0; i < 8; ++i) {
+        const double x = -1.35 + 0.49 * i;
+        add_box(solid, {x, -1.42, -0.76}, {x + 0.03, -1.302, 0.76}, 0.005);
     }
     // Cooling oil in a loop of pipe under the plate's rim.
     const int steps = detail.count(64, 8);
@@ -222,7 +267,7 @@ Solid base_plate(const Detail& detail)
         const double c = own_cos(kTurn * i / steps), s = own_sin(kTurn * i / steps);
         // A circle, squared off: c and s against their larger power.
         const double fill = 1 / std::sqrt(std::sqrt(c * c * c * c + s * s * s * s));
-        pipe.points.push_back({0.25 + 1.60 * c * fill, -1.365, 0.58 * s * fill});
+        pipe.points.push_back({0.40 + 1.62 * c * fill, -1.365, 0.58 * s * fill});
     }
     shapes::add_tube(solid, pipe);
     return solid;

@@ -11,7 +11,7 @@ using shapes::kPi;
 using shapes::OutlinePoint;
 using shapes::Solid;
 
-constexpr double kHelixRise = 0.10;  // along the pitch circle over the gear's width
+constexpr double kHelixRise = 0.065;  // along the pitch circle over the gear's width
 constexpr double kBallRadius = 0.155;
 
 // Teeth in the proportions of a full-depth involute gear, flanks in three chords. `outward` is 1 for
@@ -44,7 +44,7 @@ Solid helical_gear(int teeth, double bore, double hand, int slices)
 // A ring of round section, clockwise in (x, r) so that it faces outward.
 void add_torus(Solid& solid, double r, double thickness, const Detail& detail)
 {
-    shapes::Lathe lathe{{}, detail.count(48, 8), true};
+    shapes::Lathe lathe{{}, detail.count(36, 8), true};
     const int around = detail.count(10, 4);
     for (int i = 0; i < around; ++i)
         lathe.profile.push_back({thickness * own_cos(-kTurn * i / around),
@@ -68,12 +68,12 @@ void add_groove(std::vector<shapes::ProfilePoint>& profile, double direction, do
 
 Solid sun_gear(const Detail& detail)
 {
-    return helical_gear(kSunTeeth, 0.145, 1, detail.count(10, 1));
+    return helical_gear(kSunTeeth, 0.145, 1, detail.count(3, 1));
 }
 
 Solid planet_gear(const Detail& detail)
 {
-    return helical_gear(kPlanetTeeth, 0.115, -1, detail.count(10, 1));
+    return helical_gear(kPlanetTeeth, 0.115, -1, detail.count(3, 1));
 }
 
 Solid ring_gear(const Detail& detail)
@@ -81,7 +81,7 @@ Solid ring_gear(const Detail& detail)
     const auto inner = gear_outline(kRingTeeth, -1);
     Solid solid;
     add_prism(solid, {shapes::at_radius(inner, 0.885), inner, -kGearWidth / 2 - 0.02,
-                      kGearWidth / 2 + 0.02, detail.count(10, 1),
+                      kGearWidth / 2 + 0.02, detail.count(3, 1),
                       -kHelixRise / (kModule * kRingTeeth)});
     return solid;
 }
@@ -99,7 +99,7 @@ Solid carrier_plate(const Detail& detail)
 Solid planet_pin(const Detail& detail)
 {
     Solid solid;
-    const double end = kGearWidth / 2 + 0.12;
+    const double end = kGearWidth / 2 + 0.073;
     add_lathe(solid, {{{-end, 0.06}, {-end + 0.015, 0.075}, {end - 0.015, 0.075}, {end, 0.06}},
                       detail.count(24, 6)});
     return solid;
@@ -117,9 +117,10 @@ Solid needle(const Detail& detail)
 Solid middle_shaft(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{-0.29, 0.20}, {-0.28, 0.252}, {-0.20, 0.252}, {-0.17, 0.20}, {-0.16, 0.142},
-                       {0.17, 0.142}, {0.18, 0.13}},
-                      detail.count(36, 8)});
+    add_lathe(solid, {{{-0.235, 0.20}, {-0.23, 0.252}, {-0.18, 0.252}, {-0.165, 0.20},
+                       {-0.15, 0.142}, {0.10, 0.142}, {0.11, 0.13}, {0.11, 0.06}, {-0.235, 0.06}},
+                      detail.count(48, 8),
+                      true});
     return solid;
 }
 
@@ -127,15 +128,17 @@ Solid output_shaft(const Detail& detail)
 {
     Solid solid;
     add_lathe(solid, {{{-0.03, 0.20}, {-0.025, 0.252}, {0.06, 0.252}, {0.10, 0.30}, {0.16, 0.30},
-                       {0.16, 0.248}, {0.60, 0.248}, {0.62, 0.22}, {1.20, 0.22}, {1.23, 0.19}},
-                      detail.count(64, 8)});
+                       {0.16, 0.248}, {0.60, 0.248}, {0.62, 0.22}, {1.10, 0.22}, {1.13, 0.19},
+                       {1.13, 0.08}, {-0.03, 0.08}},
+                      detail.count(64, 8),
+                      true});
     return solid;
 }
 
 Solid key()
 {
     Solid solid;
-    shapes::add_box(solid, {0.70, 0.17, -0.045}, {1.14, 0.265, 0.045}, 0.008);
+    shapes::add_box(solid, {0.68, 0.17, -0.045}, {1.06, 0.265, 0.045}, 0.008);
     return solid;
 }
 
@@ -144,10 +147,10 @@ Solid bolt(const Detail& detail)
     Solid solid;
     // Washer, hexagonal head with a chamfer, shank with grooves for a thread.
     add_lathe(solid, {{{0.0, 0.034}, {0.006, 0.034}, {0.006, 0.014}, {0.0, 0.014}},
-                      detail.count(24, 8), true});
+                      detail.count(12, 8), true});
     add_lathe(solid, {{{0.007, 0.028}, {0.020, 0.028}, {0.026, 0.022}}, 6});
     shapes::Lathe shank{{{-0.125, 0.008}}, detail.count(10, 5)};
-    const int grooves = detail.count(10, 2);
+    const int grooves = detail.count(5, 2);
     for (int i = 0; i < grooves; ++i) {
         shank.profile.push_back({-0.12 + 0.075 * i / grooves, 0.0105});
         shank.profile.push_back({-0.12 + 0.075 * (i + 0.5) / grooves, 0.0135});
@@ -197,8 +200,8 @@ Solid cage(const Detail& detail)
 
 Solid ball(const Detail& detail)
 {
-    const int steps = detail.count(12, 4);
-    shapes::Lathe lathe{{}, detail.count(18, 6)};
+    const int steps = detail.count(10, 4);
+    shapes::Lathe lathe{{}, detail.count(16, 6)};
     for (int i = 0; i <= steps; ++i) {
         // The poles exactly on the axis: their rings weld into points.
         const double r = i == 0 || i == steps ? 0 : own_sin(kPi * i / steps);

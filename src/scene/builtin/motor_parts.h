@@ -28,9 +28,9 @@ inline constexpr double kWindowTo = kTurn * 112 / 360;
 // Stator and rotor.
 inline constexpr int kStatorSlots = 36;
 inline constexpr int kRotorSlots = 28;
-inline constexpr int kPackets = 7;           // of laminations, with cooling gaps between them
-inline constexpr double kPacketLength = 0.118;
-inline constexpr double kPacketPitch = 0.144;
+inline constexpr int kPackets = 16;  // of laminations, with cooling gaps between them
+inline constexpr double kPacketLength = 0.049;
+inline constexpr double kPacketPitch = 0.063;
 inline constexpr double kRotorSkew = kTurn / 28;  // one slot from end to end, against torque ripple
 shapes::Solid stator_packet();
 shapes::Solid rotor_packet();
@@ -39,10 +39,16 @@ shapes::Solid coil_lead(const Detail& detail, double side);   // side: -1, 0, 1
 shapes::Solid rotor_bar(const Detail& detail);
 shapes::Solid end_ring(const Detail& detail);  // its core's side is x = 0, it extends to +x
 shapes::Solid rotor_shaft(const Detail& detail);
+inline constexpr double kBrakePitch = 0.028;
+inline constexpr int kBrakeDiscs = 12;
+shapes::Solid brake_disc(const Detail& detail, bool turning);
+shapes::Solid brake_drum(const Detail& detail);
 shapes::Solid fan(const Detail& detail);
 
 // Casings and what is bolted to them.
 shapes::Solid frame(const Detail& detail);
+shapes::Solid water_jacket(const Detail& detail);
+shapes::Solid air_guide(const Detail& detail);  // before an end bell on +x
 shapes::Solid end_bell(const Detail& detail);  // its joint is x = 0, it bulges to +x
 shapes::Solid fan_cowl(const Detail& detail);
 shapes::Solid gear_casing(const Detail& detail);
@@ -58,7 +64,7 @@ shapes::Solid base_plate(const Detail& detail);
 inline constexpr int kSunTeeth = 24, kPlanetTeeth = 18, kRingTeeth = 60;
 inline constexpr int kPlanets = 4;
 inline constexpr double kModule = 0.013;  // pitch radius / teeth
-inline constexpr double kGearWidth = 0.28;
+inline constexpr double kGearWidth = 0.18;
 inline constexpr double kPlanetDistance = kModule * (kSunTeeth + kPlanetTeeth);
 shapes::Solid sun_gear(const Detail& detail);
 shapes::Solid planet_gear(const Detail& detail);

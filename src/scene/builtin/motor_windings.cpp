@@ -1,5 +1,5 @@
 // The electric parts of the motor: laminated stator and rotor, two-layer winding, squirrel cage,
-// shaft and fan.
+// shaft, brake and fan.
 #include "scene/builtin/motor_parts.h"
 #include "support/math.h"
 
@@ -19,11 +19,11 @@ using shapes::Vec;
 constexpr double kHalfCore = 0.5 * (kPackets * kPacketPitch);  // from the middle of both cores
 constexpr int kCoilSpan = 7;                                   // slots
 
-// A slot in every pitch: `mouth` and `body` are half widths as parts of the pitch.
+// A slot in every pitch, with parallel walls.
 struct Slots {
     int count;
     double surface, neck, bottom;  // radii: of the air gap's side, below the mouth, of the far end
-    double mouth, body;
+    double mouth, body;            // half widths, at the surface and below the neck
 };
 
 std::vector<OutlinePoint> slotted_outline(const Slots& slots)
@@ -31,14 +31,15 @@ std::vector<OutlinePoint> slotted_outline(const Slots& slots)
     std::vector<OutlinePoint> outline;
     const double pitch = kTurn / slots.count;
     for (int i = 0; i < slots.count; ++i) {
-        const auto add = [&](double part, double r) { outline.push_back({(i + part) * pitch, r}); };
+        const auto add = [&](double across, double r) {
+            outline.push_back({i * pitch + across / r, r});
+        };
         add(-slots.mouth, slots.surface);
         add(-slots.body, slots.neck);
         add(-slots.body, slots.bottom);
         add(slots.body, slots.bottom);
         add(slots.body, slots.neck);
         add(slots.mouth, slots.surface);
-        add(0.5, slots.surface);
     }
     return outline;
 }
@@ -53,7 +54,7 @@ double ease(double t)
 
 Solid stator_packet()
 {
-    const auto inner = slotted_outline({kStatorSlots, 0.62, 0.64, 0.81, 0.16, 0.29});
+    const auto inner = slotted_outline({kStatorSlots, 0.62, 0.64, 0.81, 0.017, 0.032});
     Solid solid;
     add_prism(solid, {shapes::at_radius(inner, 0.92), inner, 0, kPacketLength});
     return solid;
@@ -61,7 +62,7 @@ Solid stator_packet()
 
 Solid rotor_packet()
 {
-    const auto outer = slotted_outline({kRotorSlots, 0.60, 0.585, 0.50, 0.08, 0.21});
+    const auto outer = slotted_outline({kRotorSlots, 0.60, 0.585, 0.50, 0.011, 0.028});
     Solid solid;
     const double twist = kRotorSkew * kPacketLength / (2 * kHalfCore);
     add_prism(solid, {outer, shapes::at_radius(outer, 0.225), 0, kPacketLength, 1, twist});
@@ -70,7 +71,7 @@ Solid rotor_packet()
 
 Solid coil_strand(const Detail& detail, int strand)
 {
-    const int straight = detail.count(9, 2), bend = detail.count(27, 4);
+    const int straight = detail.count(2, 1), bend = detail.count(15, 4);
     const double span = kCoilSpan * kTurn / kStatorSlots;
     const double over = 0.05 * strand;  // the second strand lies under the first
     Tube tube;
@@ -125,7 +126,6 @@ Solid rotor_bar(const Detail& detail)
     Tube tube;
     tube.radius = 0.034;
     tube.segments = detail.count(10, 4);
-    tube.sides = {};
     for (int i = 0; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
         const double angle = kRotorSkew * (part - 0.5);
@@ -156,19 +156,43 @@ Solid end_ring(const Detail& detail)
 Solid rotor_shaft(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{-1.76, 0.08}, {-1.74, 0.10}, {-1.30, 0.10}, {-1.30, 0.125}, {-1.02, 0.125},
-                       {-1.02, 0.16}, {-0.82, 0.16}, {-0.78, 0.20}, {-0.60, 0.20}, {-0.60, 0.218},
-                       {0.60, 0.218}, {0.60, 0.20}, {0.78, 0.20}, {0.82, 0.16}, {1.10, 0.16},
-                       {1.10, 0.13}, {1.78, 0.13}, {1.80, 0.11}},
-                      detail.count(48, 8)});
+    add_lathe(solid, {{{-2.04, 0.08}, {-2.02, 0.10}, {-1.27, 0.10}, {-1.27, 0.13}, {-1.22, 0.13},
+                       {-1.22, 0.16}, {-0.82, 0.16}, {-0.78, 0.20}, {-0.60, 0.20}, {-0.60, 0.218},
+                       {0.60, 0.218}, {0.60, 0.20}, {0.78, 0.20}, {0.82, 0.16}, {1.27, 0.16},
+                       {1.27, 0.13}, {1.55, 0.13}, {1.57, 0.11}, {1.57, 0.05}, {-2.04, 0.05}},
+                      detail.count(48, 8),
+                      true});
+    return solid;
+}
+
+Solid brake_disc(const Detail& detail, bool turning)
+{
+    // Those that turn ride on the hub; those that stand are held by the drum.
+    const double from = turning ? 0.17 : 0.22, to = turning ? 0.50 : 0.545;
+    Solid solid;
+    add_lathe(solid, {{{0, to}, {0.014, to}, {0.014, from}, {0, from}}, detail.count(72, 8), true});
+    return solid;
+}
+
+Solid brake_drum(const Detail& detail)
+{
+    Solid solid;
+    add_lathe(solid, {{{0, 0.57}, {0.02, 0.585}, {0.34, 0.585}, {0.36, 0.57}, {0.36, 0.55},
+                       {0, 0.55}},
+                      detail.count(72, 8),
+                      true});
+    add_lathe(solid, {{{0, 0.155}, {0.01, 0.165}, {0.35, 0.165}, {0.36, 0.155}, {0.36, 0.105},
+                       {0, 0.105}},
+                      detail.count(48, 8),
+                      true});
     return solid;
 }
 
 Solid fan(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{0.02, 0.20}, {0.0, 0.18}, {0.0, 0.108}, {0.20, 0.108}, {0.20, 0.18},
-                       {0.16, 0.20}},
+    add_lathe(solid, {{{0.0, 0.18}, {0.02, 0.20}, {0.16, 0.20}, {0.20, 0.18}, {0.20, 0.108},
+                       {0.0, 0.108}},
                       detail.count(48, 8),
                       true});
     // Each blade is lofted through thin sections that lie flatter the farther out they are.
@@ -182,7 +206,7 @@ Solid fan(const Detail& detail)
             const double swept = kTurn * blade / 9 + 0.35 * part * part;
             shapes::Ring ring;
             for (int j = 0; j < 12; ++j) {
-                const double u = own_cos(kTurn * j / 12), v = own_sin(kTurn * j / 12);
+                const double u = own_cos(kTurn * j / 12), v = -own_sin(kTurn * j / 12);
                 const double along = chord * u, thick = 0.012 * v + 0.025 * (1 - u * u);
                 const double x = 0.10 + along * own_cos(pitch) + thick * own_sin(pitch);
                 const double sideways = -along * own_sin(pitch) + thick * own_cos(pitch);

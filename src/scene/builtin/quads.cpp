@@ -5,6 +5,7 @@
 // Around these three: a row of constant opacities, the ramp again in many narrow pieces, and stacks
 // of tilted quads, the last of which cut through one another.
 #include <algorithm>
+#include <cmath>
 
 #include "scene/builtin/query.h"
 #include "scene/builtin/scenes.h"
@@ -99,7 +100,8 @@ void add_figure_1(Scene& scene)
     }
 }
 
-// `count` quads around (x, -0.5). `steep` turns their planes so far that they cut one another.
+// Below the ramps: `count` quads, one before the other. `steep` turns their planes so far, and sets
+// them so close, that they cut one another.
 void add_stack(Scene& scene, double x, int count, bool steep)
 {
     const CounterRandom random{static_cast<std::uint64_t>(count) * 2 + (steep ? 1 : 0)};
@@ -108,11 +110,11 @@ void add_stack(Scene& scene, double x, int count, bool steep)
             return random.uniform(static_cast<std::uint64_t>(4 * i + k)) - 0.5;
         };
         const double part = count > 1 ? static_cast<double>(i) / (count - 1) - 0.5 : 0;
-        const double tilt = steep ? 2.2 : 0.5;
-        const double depth = steep ? 0.05 : 1.2;
-        const Placement pose = shapes::moved(x + 0.1 * draw(0), -0.5 + 0.5 * part,
-                                             depth * part * 0.5) *
-                               shapes::turned_about_z(0.9 * draw(1)) *
+        const double tilt = steep ? 2.6 : 0.6;
+        const double reach = 0.4 * (1 - 1 / std::sqrt(count));  // a few stay together
+        const Placement pose = shapes::moved(x + 0.1 * draw(0), -0.5 + reach * part,
+                                             (steep ? 0.02 : 0.6) * part) *
+                               shapes::turned_about_z((steep ? 3.0 : 1.0) * draw(1)) *
                                shapes::turned_about_x(tilt * draw(2));
         scene.objects.push_back({"stack of " + std::to_string(count) + ", " + std::to_string(i),
                                  static_cast<std::uint32_t>(scene.meshes.size()) - 1,

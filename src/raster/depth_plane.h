@@ -1,0 +1,53 @@
+// A triangle's depth as a function of the place on the screen.
+//
+// Floats serve where surfaces lie apart. Where two depths differ by less than their slacks, floats
+// can't tell which is nearer; doubles, rounded to 32 significant bits, then do, and what is equal
+// in them is a tie (docs/numerics.md, "Visibility").
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "geometry/tile_grid.h"
+#include "raster/sample_set.h"
+
+namespace sheer {
+
+struct DepthPlane {
+    float dx, dy;       // a pixel to the right and down
+    float least, most;  // over the triangle; depth at a sample is clamped to them
+    float slack;        // bounds the error of depth at a sample in floats
+    double precise_at;  // at the centre of the tile's first pixel
+    double precise_dx, precise_dy;
+};
+
+// Some eight roundings of terms no larger than the depths and the change of depth over a pixel; the
+// factor leaves four times that.
+inline float depth_slack(const DepthPlane& plane)
+{
+    constexpr float kRoundings = 32.0f * 0x1p-24f;
+    const float depth = std::max(std::abs(plane.least), std::abs(plane.most));
+    return kRoundings * (depth + std::abs(plane.dx) + std::abs(plane.dy));
+}
+
+// Veltkamp's splitting: the nearest number of 53 - 21 bits.
+inline double round_to_32_bits(double x)
+{
+    const double big = x * (0x1p21 + 1);
+    return big - (big - x);
+}
+
+// At sample s of a pixel of the tile (row * kTileSize + column).
+inline double precise_depth(const DepthPlane& plane, const SampleSet& set, std::uint32_t pixel,
+                            std::size_t s)
+{
+    const double x = pixel % kTileSize + static_cast<double>(set.offset_x[s]);
+    const double y = pixel / kTileSize + static_cast<double>(set.offset_y[s]);
+    const double depth = plane.precise_at + (x * plane.precise_dx + y * plane.precise_dy);
+    return round_to_32_bits(
+        std::clamp(depth, static_cast<double>(plane.least), static_cast<double>(plane.most)));
+}
+
+}  // namespace sheer
