@@ -18,12 +18,30 @@ double gauss(double d)
 }
 
 // Halves are added to halves: the order that any vector width can follow.
-float mean(float* values, int count)
+template <int Count>
+float mean(const float* values)
 {
-    for (int half = count / 2; half > 0; half /= 2) {
-        for (int i = 0; i < half; ++i) values[i] += values[i + half];
+    float sum[Count];
+    std::copy_n(values, Count, sum);
+    for (int half = Count / 2; half > 0; half /= 2) {
+        for (int i = 0; i < half; ++i) sum[i] += sum[i + half];
     }
-    return values[0] / static_cast<float>(count);
+    return sum[0] / static_cast<float>(Count);
+}
+
+using Mean = float (*)(const float*);
+
+Mean mean_of(int count)
+{
+    switch (count) {
+        case 1: return mean<1>;
+        case 2: return mean<2>;
+        case 4: return mean<4>;
+        case 8: return mean<8>;
+        case 16: return mean<16>;
+        case 32: return mean<32>;
+        default: return mean<64>;
+    }
 }
 
 }  // namespace
@@ -59,9 +77,10 @@ std::array<float, 4> SampleFilter::gaussian(const SampleColors& colors, const Pi
     return sum;
 }
 
-void SampleFilter::apply(SampleColors& colors, const PixelRect& rect, const PixelRect& interior,
-                         Image& image) const
+void SampleFilter::apply(const SampleColors& colors, const PixelRect& rect,
+                         const PixelRect& interior, Image& image) const
 {
+    const Mean mean = mean_of(samples_);
     for (int y = interior.y0; y < interior.y1; ++y) {
         for (int x = interior.x0; x < interior.x1; ++x) {
             if (!weights_.empty()) {
@@ -70,7 +89,7 @@ void SampleFilter::apply(SampleColors& colors, const PixelRect& rect, const Pixe
             }
             const auto pixel = static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
             for (std::size_t c = 0; c < 4; ++c) {
-                image.at(x, y)[c] = mean(colors.channel(pixel, c), samples_);
+                image.at(x, y)[c] = mean(colors.channel(pixel, c));
             }
         }
     }

@@ -20,7 +20,7 @@ public:
     int reach() const { return weights_.empty() ? 0 : 1; }
 
     // Writes the pixels of `interior` from the samples of `rect` around it.
-    void apply(SampleColors& colors, const PixelRect& rect, const PixelRect& interior,
+    void apply(const SampleColors& colors, const PixelRect& rect, const PixelRect& interior,
                Image& image) const;
 
 private:

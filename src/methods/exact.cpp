@@ -19,6 +19,7 @@
 #include <limits>
 #include <vector>
 
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
 #include "methods/samples-inl.h"
@@ -83,6 +84,11 @@ void insert_sorted(std::vector<Item>& sorted, const Item& item)
     sorted[to] = item;
 }
 
+// A Composite in memory, lane by lane.
+struct CompositeLanes {
+    alignas(64) float red[16], green[16], blue[16], transmittance[16];
+};
+
 // Front to back: C = sum of T_i a_i c_i, T = product of (1 - a_i).
 template <class L>
 struct Composite {
@@ -98,18 +104,19 @@ struct Composite {
         blue = blue + weight * real(layer.blue);
         transmittance = transmittance * (real(1.0f) - opacity);
     }
-    HWY_INLINE void replace(std::size_t lane, const Composite<Lanes<1>>& by)
+    HWY_INLINE void load(const CompositeLanes& from)
     {
-        const auto put = [lane](real& into, Lanes<1>::real value) HWY_ATTR {
-            float lanes[16];
-            into.store(lanes);
-            value.store(lanes + lane);
-            into = real::load(lanes);
-        };
-        put(red, by.red);
-        put(green, by.green);
-        put(blue, by.blue);
-        put(transmittance, by.transmittance);
+        red = real::load(from.red);
+        green = real::load(from.green);
+        blue = real::load(from.blue);
+        transmittance = real::load(from.transmittance);
+    }
+    HWY_INLINE void store(CompositeLanes& to) const
+    {
+        red.store(to.red);
+        green.store(to.green);
+        blue.store(to.blue);
+        transmittance.store(to.transmittance);
     }
     HWY_INLINE void over(SampleColors& backdrop, std::size_t pixel, std::size_t s) const
     {
@@ -132,9 +139,13 @@ struct ExactStore {
     std::vector<Layer> layers;
     std::vector<LayerRun> runs;
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
-    std::vector<std::uint32_t> by_pixel;  // indices of layers
+    std::vector<Layer> by_pixel;
     std::vector<Sorted> order;
-    std::vector<PreciselySorted> sample_order;  // of one sample of it
+    // Of its samples s, s + 1, ...: a value a lane, layer after layer.
+    std::vector<float> nearest;   // the least that depth may be
+    std::vector<float> furthest;  // the most that depth may be up to here
+    std::vector<std::uint32_t> doubt;
+    std::vector<PreciselySorted> sample_order;  // of one sample
 
     explicit ExactStore(const StoreShape& shape) : set(*shape.samples) {}
 
@@ -177,27 +188,20 @@ struct ExactStore {
             if (first[pixel] == first[pixel + 1]) continue;
             sort_layers(pixel);
             for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
-                Composite<L> sum;
-                std::uint32_t wrong = composite_in_order(s, sum);
-                for (; wrong != 0; wrong &= wrong - 1) {
-                    const auto lane = static_cast<std::size_t>(std::countr_zero(wrong));
-                    sum.replace(lane, composite_sample(s + lane));
-                }
-                sum.over(backdrop, pixel, s);
+                find_doubts(s);
+                composite(s).over(backdrop, pixel, s);
             }
         }
     }
 
-    // A counting sort.
+    // A counting sort: the layers of pixel p are by_pixel[first[p] .. first[p + 1]).
     void sort_by_pixel()
     {
         std::fill(first.begin(), first.end(), 0);
         for (const Layer& layer : layers) ++first[layer.pixel + 1];
         for (std::size_t p = 0; p < kTilePixels; ++p) first[p + 1] += first[p];
-        by_pixel.resize(layers.size());
-        for (std::uint32_t i = 0; i < layers.size(); ++i) {
-            by_pixel[first[layers[i].pixel]++] = i;
-        }
+        if (by_pixel.size() < layers.size()) by_pixel.resize(layers.size());
+        for (const Layer& layer : layers) by_pixel[first[layer.pixel]++] = layer;
         for (std::size_t p = kTilePixels; p > 0; --p) first[p] = first[p - 1];
         first[0] = 0;
     }
@@ -207,7 +211,8 @@ struct ExactStore {
         order.clear();
         const bool few = first[pixel + 1] - first[pixel] <= kInsertionSortMost;
         for (std::uint32_t i = first[pixel]; i < first[pixel + 1]; ++i) {
-            const Layer& layer = layers[by_pixel[i]];
+            if (i + kRunsAhead < layers.size()) hwy::Prefetch(&runs[by_pixel[i + kRunsAhead].run]);
+            const Layer& layer = by_pixel[i];
             const LayerRun& run = runs[layer.run];
             const auto s = static_cast<std::size_t>(std::countr_zero(layer.bits()));
             const float offset = set.offset_x[s] * run.depth.dx + set.offset_y[s] * run.depth.dy;
@@ -224,38 +229,89 @@ struct ExactStore {
                       [](const Sorted& a, const Sorted& b) { return nearer(a, b); });
     }
     static constexpr std::size_t kInsertionSortMost = 32;
+    static constexpr std::uint32_t kRunsAhead = 8;
 
-    // Lanes (bits) at which the common order is wrong or in doubt.
-    HWY_INLINE std::uint32_t composite_in_order(std::size_t s, Composite<L>& sum) const
+    // doubt[i]: lanes (bits) at which one of the layers up to i may be behind one of those after i.
+    HWY_INLINE void find_doubts(std::size_t s)
     {
-        real last_depth(-std::numeric_limits<float>::infinity());
-        mask doubtful{L::first(0)};
-        for (const Sorted& item : order) {
-            const Layer& layer = *item.layer;
-            const mask here = L::mask_of_bits(static_cast<std::uint32_t>(layer.bits() >> s));
-            const real depth = sample_depth<L>(item.run->depth, set, layer.depth, s);
+        const real infinity(std::numeric_limits<float>::infinity());
+        const std::size_t size = order.size();
+        nearest.resize(size * L::kCount);
+        furthest.resize(size * L::kCount);
+        doubt.resize(size);
+        real so_far = real(0.0f) - infinity;
+        for (std::size_t i = 0; i < size; ++i) {
+            const Sorted& item = order[i];
+            const mask here = covers(*item.layer, s);
+            const real depth = sample_depth<L>(item.run->depth, set, item.layer->depth, s);
             const real slack(item.run->depth.slack);
-            doubtful = doubtful | (here & (depth - slack <= last_depth));
-            last_depth = L::select(here, depth + slack, last_depth);
-            sum.add(layer, L::zero_unless(here, real(layer.opacity)));
+            so_far = L::select(here, L::max(so_far, depth + slack), so_far);
+            so_far.store(&furthest[i * L::kCount]);
+            L::select(here, depth - slack, infinity).store(&nearest[i * L::kCount]);
         }
-        return doubtful.bits();
+        real from_here = infinity;
+        for (std::size_t i = size; i-- > 0;) {
+            doubt[i] = (real::load(&furthest[i * L::kCount]) >= from_here).bits();
+            from_here = L::min(from_here, real::load(&nearest[i * L::kCount]));
+        }
     }
 
-    // The common order is nearly right at the sample: insertion takes few moves.
-    Composite<Lanes<1>> composite_sample(std::size_t s)
+    HWY_INLINE Composite<L> composite(std::size_t s)
     {
-        sample_order.clear();
-        for (const Sorted& item : order) {
-            if ((item.layer->bits() >> s & 1) == 0) continue;
-            insert_sorted(sample_order, {precise_depth(item.run->depth, set, item.layer->pixel, s),
-                                         item.run->primitive, item.layer});
-        }
-        Composite<Lanes<1>> sum;
-        for (const PreciselySorted& item : sample_order) {
-            sum.add(*item.layer, Lanes<1>::real(item.layer->opacity));
+        Composite<L> sum;
+        for (std::size_t i = 0; i < order.size();) {
+            const Composite<L> before = sum;
+            const std::size_t begin = i;
+            std::uint32_t doubtful = 0;
+            do {
+                doubtful |= doubt[i];
+                const Layer& layer = *order[i].layer;
+                sum.add(layer, L::zero_unless(covers(layer, s), real(layer.opacity)));
+            } while (doubt[i++] != 0);
+            if (doubtful == 0) continue;
+            CompositeLanes from, to;
+            before.store(from);
+            sum.store(to);
+            for (; doubtful != 0; doubtful &= doubtful - 1) {
+                const auto lane = static_cast<std::size_t>(std::countr_zero(doubtful));
+                add_sorted(begin, i, s, lane, from, to);
+            }
+            sum.load(to);
         }
         return sum;
+    }
+
+    // Layers [begin, end) of the common order, in their precise order at sample s + lane.
+    void add_sorted(std::size_t begin, std::size_t end, std::size_t s, std::size_t lane,
+                    const CompositeLanes& from, CompositeLanes& to)
+    {
+        sample_order.clear();
+        for (std::size_t i = begin; i < end; ++i) {
+            const Layer& layer = *order[i].layer;
+            if ((layer.bits() >> (s + lane) & 1) == 0) continue;
+            const LayerRun& run = *order[i].run;
+            insert_sorted(sample_order, {precise_depth(run.depth, set, layer.pixel, s + lane),
+                                         run.primitive, &layer});
+        }
+        float red = from.red[lane], green = from.green[lane], blue = from.blue[lane];
+        float transmittance = from.transmittance[lane];
+        for (const PreciselySorted& item : sample_order) {
+            const Layer& layer = *item.layer;
+            const float weight = transmittance * layer.opacity;
+            red = red + weight * layer.red;
+            green = green + weight * layer.green;
+            blue = blue + weight * layer.blue;
+            transmittance = transmittance * (1.0f - layer.opacity);
+        }
+        to.red[lane] = red;
+        to.green[lane] = green;
+        to.blue[lane] = blue;
+        to.transmittance[lane] = transmittance;
+    }
+
+    HWY_INLINE mask covers(const Layer& layer, std::size_t s) const
+    {
+        return L::mask_of_bits(static_cast<std::uint32_t>(layer.bits() >> s));
     }
 };
 

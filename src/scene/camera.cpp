@@ -1,6 +1,6 @@
-// Which camera a view means, and its projection. The rules for glTF's cameras are those of glTF 2.0,
-// section 3.10, with one addition: a picture of another shape than the camera's shows all that the
-// camera would, and more on two sides.
+// Which camera a view means, and its projection. The rules for glTF's cameras are those of
+// glTF 2.0, section 3.10, with one addition: a picture of another shape than the camera's shows all
+// that the camera would, and more on two sides.
 #include "scene/camera.h"
 
 #include <algorithm>
@@ -61,8 +61,7 @@ Projection own_camera(const Scene& scene, const View& view)
     if (!view.target) throw Error(Fault::input, "eye: a target is needed with it");
     if (!finite(*view.eye)) throw Error(Fault::input, "eye: not finite");
     if (!finite(*view.target)) throw Error(Fault::input, "target: not finite");
-    if (*view.eye == *view.target)
-        throw Error(Fault::input, "eye: the same point as the target");
+    if (*view.eye == *view.target) throw Error(Fault::input, "eye: the same point as the target");
     const double fov = view.fov ? static_cast<double>(*view.fov) : kOwnFov;
     if (!(fov > 0 && fov < 180)) throw Error(Fault::input, "fov: not between 0 and 180 degrees");
     Vec3 eye, back;
@@ -99,8 +98,7 @@ std::size_t find_camera(const Scene& scene, const std::string& wanted)
     const char* const end = wanted.data() + wanted.size();
     const auto result = std::from_chars(wanted.data(), end, index);
     if (result.ec == std::errc() && result.ptr == end && index < scene.cameras.size()) return index;
-    throw Error(Fault::input,
-                "camera '" + wanted + "': no such camera; " + list_cameras(scene));
+    throw Error(Fault::input, "camera '" + wanted + "': no such camera; " + list_cameras(scene));
 }
 
 void check(const Camera& camera, const std::string& label)
@@ -140,8 +138,7 @@ Projection scene_camera(const Scene& scene, const View& view)
 {
     const std::size_t index = find_camera(scene, view.camera);
     const Camera& camera = scene.cameras[index];
-    const std::string label =
-        "camera " + std::to_string(index) + " '" + camera.name + "': ";
+    const std::string label = "camera " + std::to_string(index) + " '" + camera.name + "': ";
     check(camera, label);
     Vec3 column[4];
     for (std::size_t i = 0; i < 16; ++i)

@@ -20,8 +20,8 @@ struct Projection {
 };
 
 // The camera of a view: its own eye and target, else the one of the scene that it names (or
-// numbers), else the scene's first, else one that frames all objects. Throws Error with Fault::input
-// when there is no such camera or when it can't see.
+// numbers), else the scene's first, else one that frames all objects. Throws Error with
+// Fault::input when there is no such camera or when it can't see.
 Projection resolve_camera(const Scene& scene, const View& view);
 
 // From the front right and a little above, as near as all objects' bounds allow with a margin of

@@ -1,7 +1,7 @@
-// Framing in closed form. With a point's view-aligned coordinates (a, b, c), c along the view, and the
-// eye at (x, y, z), the point is inside the view's sides of slope k where |a - x| <= k (c - z). Over
-// all points that is  max(a - k c) <= x - k z  and  x + k z <= min(a + k c), which bounds z from above
-// and gives x; b and y alike. The smaller of the two z is the nearest eye.
+// Framing in closed form. With a point's view-aligned coordinates (a, b, c), c along the view, and
+// the eye at (x, y, z), the point is inside the view's sides of slope k where |a - x| <= k (c - z).
+// Over all points that is  max(a - k c) <= x - k z  and  x + k z <= min(a + k c), which bounds z
+// from above and gives x; b and y alike. The smaller of the two z is the nearest eye.
 #include "scene/framing.h"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace sheer {
 namespace {
 
 constexpr Vec3 kDefaultBack = {0.55, 0.42, 0.85};  // from the front right, a little above
-constexpr double kInside = 0.9;   // of the view's width and height: 5 % margin on each side
+constexpr double kInside = 0.9;  // of the view's width and height: 5 % margin on each side
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double dot(const Vec3& a, const Vec3& b)
@@ -49,8 +49,7 @@ struct Box {
     bool empty() const { return !(low[0] <= high[0]); }
     Vec3 corner(unsigned i) const
     {
-        return {(i & 1) ? high[0] : low[0], (i & 2) ? high[1] : low[1],
-                (i & 4) ? high[2] : low[2]};
+        return {(i & 1) ? high[0] : low[0], (i & 2) ? high[1] : low[1], (i & 4) ? high[2] : low[2]};
     }
     double half_diagonal() const
     {
@@ -192,8 +191,8 @@ double safe_near(const Pose& pose, const std::vector<Vec3>& points)
 {
     double nearest = kInfinity, farthest = 0;
     for (const Vec3& p : points) {
-        const double depth = -dot({p[0] - pose.eye[0], p[1] - pose.eye[1], p[2] - pose.eye[2]},
-                                  pose.back);
+        const double depth =
+            -dot({p[0] - pose.eye[0], p[1] - pose.eye[1], p[2] - pose.eye[2]}, pose.back);
         nearest = std::min(nearest, depth);
         farthest = std::max(farthest, depth);
     }

@@ -14,7 +14,7 @@
 namespace sheer {
 namespace {
 
-constexpr double kFov = 0.8;      // of the camera: vertical, radians
+constexpr double kFov = 0.8;       // of the camera: vertical, radians
 constexpr double kOverscan = 1.5;  // the quads end this far outside of the view
 constexpr double kAspect = 4;      // of the widest picture that they fill
 

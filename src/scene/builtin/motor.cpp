@@ -1,9 +1,9 @@
 // A geared electric motor, cut open: about 322 thousand triangles, white, diffuse, of opacity 0.3.
 //
-// After figure 2 of Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. IEEE TVCG 17(8),
-// 2011 ("322K triangles, alpha 30 percent") and figure 9 of Laine and Karras. Stratified Sampling for
-// Stochastic Transparency. EGSR 2011 (a motor, "white untextured surfaces, diffuse shading, alpha =
-// 0.3"). Their models are not public; this one is made from its parts' dimensions.
+// After figure 2 of Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. IEEE TVCG
+// 17(8), 2011 ("322K triangles, alpha 30 percent") and figure 9 of Laine and Karras. Stratified
+// Sampling for Stochastic Transparency. EGSR 2011 (a motor, "white untextured surfaces, diffuse
+// shading, alpha = 0.3"). Their models are not public; this one is made from its parts' dimensions.
 #include "scene/builtin/motor_parts.h"
 #include "scene/builtin/query.h"
 #include "scene/builtin/scenes.h"
@@ -100,8 +100,8 @@ void add_casings(Assembly& motor)
     const std::uint32_t bell = motor.add(motor::end_bell(motor.detail), "end bell");
     motor.place(bell, moved(0.905, 0, 0));
     // Turned so that its window, mirrored with it, opens on the same side.
-    motor.place(bell, moved(-0.905, 0, 0) *
-                          turned_about_x(motor::kWindowFrom + motor::kWindowTo) * mirrored_end());
+    motor.place(bell, moved(-0.905, 0, 0) * turned_about_x(motor::kWindowFrom + motor::kWindowTo) *
+                          mirrored_end());
     motor.place(motor.add(motor::fan_cowl(motor.detail), "fan cowl"), moved(-1.25, 0, 0));
     motor.place(motor.add(motor::gear_casing(motor.detail), "gear casing"), moved(1.24, 0, 0));
     motor.place(motor.add(motor::terminal_box(), "terminal box"));

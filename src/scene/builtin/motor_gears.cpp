@@ -14,8 +14,8 @@ using shapes::Solid;
 constexpr double kHelixRise = 0.065;  // along the pitch circle over the gear's width
 constexpr double kBallRadius = 0.155;
 
-// Teeth in the proportions of a full-depth involute gear, flanks in three chords. `outward` is 1 for
-// teeth on a wheel, -1 for those inside a ring.
+// Teeth in the proportions of a full-depth involute gear, flanks in three chords. `outward` is 1
+// for teeth on a wheel, -1 for those inside a ring.
 std::vector<OutlinePoint> gear_outline(int teeth, double outward)
 {
     const double pitch_radius = kModule * teeth, pitch = kTurn / teeth;
@@ -36,8 +36,8 @@ Solid helical_gear(int teeth, double bore, double hand, int slices)
 {
     const auto outer = gear_outline(teeth, 1);
     Solid solid;
-    add_prism(solid, {outer, shapes::at_radius(outer, bore), -kGearWidth / 2, kGearWidth / 2, slices,
-                      hand * kHelixRise / (kModule * teeth)});
+    add_prism(solid, {outer, shapes::at_radius(outer, bore), -kGearWidth / 2, kGearWidth / 2,
+                      slices, hand * kHelixRise / (kModule * teeth)});
     return solid;
 }
 
@@ -80,17 +80,23 @@ Solid ring_gear(const Detail& detail)
 {
     const auto inner = gear_outline(kRingTeeth, -1);
     Solid solid;
-    add_prism(solid, {shapes::at_radius(inner, 0.885), inner, -kGearWidth / 2 - 0.02,
-                      kGearWidth / 2 + 0.02, detail.count(3, 1),
-                      -kHelixRise / (kModule * kRingTeeth)});
+    add_prism(solid,
+              {shapes::at_radius(inner, 0.885), inner, -kGearWidth / 2 - 0.02,
+               kGearWidth / 2 + 0.02, detail.count(3, 1), -kHelixRise / (kModule * kRingTeeth)});
     return solid;
 }
 
 Solid carrier_plate(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{-0.025, 0.69}, {-0.017, 0.70}, {0.017, 0.70}, {0.025, 0.69}, {0.025, 0.27},
-                       {0.017, 0.26}, {-0.017, 0.26}, {-0.025, 0.27}},
+    add_lathe(solid, {{{-0.025, 0.69},
+                       {-0.017, 0.70},
+                       {0.017, 0.70},
+                       {0.025, 0.69},
+                       {0.025, 0.27},
+                       {0.017, 0.26},
+                       {-0.017, 0.26},
+                       {-0.025, 0.27}},
                       detail.count(72, 8),
                       true});
     return solid;
@@ -117,8 +123,15 @@ Solid needle(const Detail& detail)
 Solid middle_shaft(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{-0.235, 0.20}, {-0.23, 0.252}, {-0.18, 0.252}, {-0.165, 0.20},
-                       {-0.15, 0.142}, {0.10, 0.142}, {0.11, 0.13}, {0.11, 0.06}, {-0.235, 0.06}},
+    add_lathe(solid, {{{-0.235, 0.20},
+                       {-0.23, 0.252},
+                       {-0.18, 0.252},
+                       {-0.165, 0.20},
+                       {-0.15, 0.142},
+                       {0.10, 0.142},
+                       {0.11, 0.13},
+                       {0.11, 0.06},
+                       {-0.235, 0.06}},
                       detail.count(48, 8),
                       true});
     return solid;
@@ -127,9 +140,18 @@ Solid middle_shaft(const Detail& detail)
 Solid output_shaft(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{-0.03, 0.20}, {-0.025, 0.252}, {0.06, 0.252}, {0.10, 0.30}, {0.16, 0.30},
-                       {0.16, 0.248}, {0.60, 0.248}, {0.62, 0.22}, {1.10, 0.22}, {1.13, 0.19},
-                       {1.13, 0.08}, {-0.03, 0.08}},
+    add_lathe(solid, {{{-0.03, 0.20},
+                       {-0.025, 0.252},
+                       {0.06, 0.252},
+                       {0.10, 0.30},
+                       {0.16, 0.30},
+                       {0.16, 0.248},
+                       {0.60, 0.248},
+                       {0.62, 0.22},
+                       {1.10, 0.22},
+                       {1.13, 0.19},
+                       {1.13, 0.08},
+                       {-0.03, 0.08}},
                       detail.count(64, 8),
                       true});
     return solid;
@@ -146,8 +168,9 @@ Solid bolt(const Detail& detail)
 {
     Solid solid;
     // Washer, hexagonal head with a chamfer, shank with grooves for a thread.
-    add_lathe(solid, {{{0.0, 0.034}, {0.006, 0.034}, {0.006, 0.014}, {0.0, 0.014}},
-                      detail.count(12, 8), true});
+    add_lathe(
+        solid,
+        {{{0.0, 0.034}, {0.006, 0.034}, {0.006, 0.014}, {0.0, 0.014}}, detail.count(12, 8), true});
     add_lathe(solid, {{{0.007, 0.028}, {0.020, 0.028}, {0.026, 0.022}}, 6});
     shapes::Lathe shank{{{-0.125, 0.008}}, detail.count(10, 5)};
     const int grooves = detail.count(5, 2);
@@ -177,10 +200,10 @@ Solid outer_race(const Detail& detail)
 Solid inner_race(const Detail& detail)
 {
     const double w = 0.17;
-    shapes::Lathe lathe{{{w, 0.89}, {w, 0.78}, {w - 0.02, 0.76}, {-w + 0.02, 0.76}, {-w, 0.78},
-                         {-w, 0.89}},
-                        detail.count(48, 8),
-                        true};
+    shapes::Lathe lathe{
+        {{w, 0.89}, {w, 0.78}, {w - 0.02, 0.76}, {-w + 0.02, 0.76}, {-w, 0.78}, {-w, 0.89}},
+        detail.count(48, 8),
+        true};
     add_groove(lathe.profile, -1, -1, detail);
     Solid solid;
     add_lathe(solid, lathe);

@@ -1,5 +1,5 @@
-// The parts of the built-in motor, each a closed solid around the x axis, in metres. `Detail` scales
-// how finely they are cut into triangles.
+// The parts of the built-in motor, each a closed solid around the x axis, in metres. `Detail`
+// scales how finely they are cut into triangles.
 #pragma once
 
 #include <algorithm>
@@ -49,7 +49,7 @@ shapes::Solid fan(const Detail& detail);
 shapes::Solid frame(const Detail& detail);
 shapes::Solid water_jacket(const Detail& detail);
 shapes::Solid air_guide(const Detail& detail);  // before an end bell on +x
-shapes::Solid end_bell(const Detail& detail);  // its joint is x = 0, it bulges to +x
+shapes::Solid end_bell(const Detail& detail);   // its joint is x = 0, it bulges to +x
 shapes::Solid fan_cowl(const Detail& detail);
 shapes::Solid gear_casing(const Detail& detail);
 shapes::Solid terminal_box();

@@ -105,7 +105,7 @@ Solid coil_strand(const Detail& detail, int strand)
 Solid coil_lead(const Detail& detail, double side)
 {
     // From the end winding up through the frame into the terminal box.
-    const int steps = detail.count(36, 4);
+    const int steps = detail.count(28, 4);
     Tube tube;
     tube.radius = 0.022;
     tube.segments = detail.count(12, 4);
@@ -140,8 +140,14 @@ Solid rotor_bar(const Detail& detail)
 Solid end_ring(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{0, 0.585}, {0.012, 0.597}, {0.075, 0.597}, {0.087, 0.585}, {0.087, 0.505},
-                       {0.075, 0.493}, {0.012, 0.493}, {0, 0.505}},
+    add_lathe(solid, {{{0, 0.585},
+                       {0.012, 0.597},
+                       {0.075, 0.597},
+                       {0.087, 0.585},
+                       {0.087, 0.505},
+                       {0.075, 0.493},
+                       {0.012, 0.493},
+                       {0, 0.505}},
                       detail.count(96, 8),
                       true});
     // Small blades, cast with the ring, stir the air around the end windings.
@@ -158,8 +164,8 @@ Solid rotor_shaft(const Detail& detail)
     Solid solid;
     add_lathe(solid, {{{-2.04, 0.08}, {-2.02, 0.10}, {-1.27, 0.10}, {-1.27, 0.13}, {-1.22, 0.13},
                        {-1.22, 0.16}, {-0.82, 0.16}, {-0.78, 0.20}, {-0.60, 0.20}, {-0.60, 0.218},
-                       {0.60, 0.218}, {0.60, 0.20}, {0.78, 0.20}, {0.82, 0.16}, {1.27, 0.16},
-                       {1.27, 0.13}, {1.55, 0.13}, {1.57, 0.11}, {1.57, 0.05}, {-2.04, 0.05}},
+                       {0.60, 0.218}, {0.60, 0.20},  {0.78, 0.20},  {0.82, 0.16},  {1.27, 0.16},
+                       {1.27, 0.13},  {1.55, 0.13},  {1.57, 0.11},  {1.57, 0.05},  {-2.04, 0.05}},
                       detail.count(48, 8),
                       true});
     return solid;
@@ -177,24 +183,24 @@ Solid brake_disc(const Detail& detail, bool turning)
 Solid brake_drum(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{0, 0.57}, {0.02, 0.585}, {0.34, 0.585}, {0.36, 0.57}, {0.36, 0.55},
-                       {0, 0.55}},
-                      detail.count(72, 8),
-                      true});
-    add_lathe(solid, {{{0, 0.155}, {0.01, 0.165}, {0.35, 0.165}, {0.36, 0.155}, {0.36, 0.105},
-                       {0, 0.105}},
-                      detail.count(48, 8),
-                      true});
+    add_lathe(solid,
+              {{{0, 0.57}, {0.02, 0.585}, {0.34, 0.585}, {0.36, 0.57}, {0.36, 0.55}, {0, 0.55}},
+               detail.count(72, 8),
+               true});
+    add_lathe(solid,
+              {{{0, 0.155}, {0.01, 0.165}, {0.35, 0.165}, {0.36, 0.155}, {0.36, 0.105}, {0, 0.105}},
+               detail.count(48, 8),
+               true});
     return solid;
 }
 
 Solid fan(const Detail& detail)
 {
     Solid solid;
-    add_lathe(solid, {{{0.0, 0.18}, {0.02, 0.20}, {0.16, 0.20}, {0.20, 0.18}, {0.20, 0.108},
-                       {0.0, 0.108}},
-                      detail.count(48, 8),
-                      true});
+    add_lathe(solid,
+              {{{0.0, 0.18}, {0.02, 0.20}, {0.16, 0.20}, {0.20, 0.18}, {0.20, 0.108}, {0.0, 0.108}},
+               detail.count(48, 8),
+               true});
     // Each blade is lofted through thin sections that lie flatter the farther out they are.
     const int sections = detail.count(14, 2);
     for (int blade = 0; blade < 9; ++blade) {

@@ -1,6 +1,6 @@
 // White quads on black, after figure 1 of Laine and Karras. Stratified Sampling for Stochastic
-// Transparency. EGSR 2011: an opacity ramp, a quad of opacity 0.61, and a strip of opacity 0.75 that
-// is drawn as five quads, whose shared edges a method should not show.
+// Transparency. EGSR 2011: an opacity ramp, a quad of opacity 0.61, and a strip of opacity 0.75
+// that is drawn as five quads, whose shared edges a method should not show.
 //
 // Around these three: a row of constant opacities, the ramp again in many narrow pieces, and stacks
 // of tilted quads, the last of which cut through one another.
@@ -94,8 +94,8 @@ void add_figure_1(Scene& scene)
         mesh.positions[2][0] = static_cast<float>(edge(i, i == 0 ? 0 : high));
         mesh.positions[3][0] = static_cast<float>(edge(i + 1, i == 4 ? 0 : high));
         const auto index = static_cast<std::uint32_t>(scene.meshes.size());
-        scene.objects.push_back({mesh.name, index, kIdentity,
-                                 static_cast<std::uint32_t>(scene.objects.size())});
+        scene.objects.push_back(
+            {mesh.name, index, kIdentity, static_cast<std::uint32_t>(scene.objects.size())});
         scene.meshes.push_back(std::move(mesh));
     }
 }
@@ -111,11 +111,11 @@ void add_stack(Scene& scene, double x, int count, bool steep)
         };
         const double part = count > 1 ? static_cast<double>(i) / (count - 1) - 0.5 : 0;
         const double tilt = steep ? 2.6 : 0.6;
-        const double reach = 0.4 * (1 - 1 / std::sqrt(count));  // a few stay together
-        const Placement pose = shapes::moved(x + 0.1 * draw(0), -0.5 + reach * part,
-                                             (steep ? 0.02 : 0.6) * part) *
-                               shapes::turned_about_z((steep ? 3.0 : 1.0) * draw(1)) *
-                               shapes::turned_about_x(tilt * draw(2));
+        const double reach = 0.5 * (1 - 1 / std::sqrt(count));  // a few stay together
+        const Placement pose =
+            shapes::moved(x + 0.1 * draw(0), -0.48 + reach * part, (steep ? 0.02 : 0.6) * part) *
+            shapes::turned_about_z((steep ? 3.0 : 1.0) * draw(1)) *
+            shapes::turned_about_x(tilt * draw(2));
         scene.objects.push_back({"stack of " + std::to_string(count) + ", " + std::to_string(i),
                                  static_cast<std::uint32_t>(scene.meshes.size()) - 1,
                                  shapes::to_matrix(pose),
@@ -125,12 +125,12 @@ void add_stack(Scene& scene, double x, int count, bool steep)
 
 void add_stacks(Scene& scene, int layers)
 {
-    scene.meshes.push_back(make_strip({-0.17, 0.17, -0.17, 0.17, kStackOpacity, kStackOpacity},
-                                      "quad of a stack"));
-    add_stack(scene, -0.72, std::max(1, layers / 4), false);
+    scene.meshes.push_back(
+        make_strip({-0.15, 0.15, -0.15, 0.15, kStackOpacity, kStackOpacity}, "quad of a stack"));
+    add_stack(scene, -0.70, std::max(1, layers / 4), false);
     add_stack(scene, -0.24, std::max(1, layers / 2), false);
     add_stack(scene, 0.24, layers, false);
-    add_stack(scene, 0.72, layers, true);
+    add_stack(scene, 0.70, layers, true);
 }
 
 }  // namespace

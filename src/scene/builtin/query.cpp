@@ -137,11 +137,10 @@ double Query::parse_number(const std::string& key, const std::string& text, Rang
     double value = 0;
     const char* const end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, value);
-    if (result.ec != std::errc() || result.ptr != end)
-        fail(key, "'" + text + "' is not a number");
+    if (result.ec != std::errc() || result.ptr != end) fail(key, "'" + text + "' is not a number");
     if (!(value >= range.least && value <= range.most))
-        fail(key, text + " is not between " + shortest(range.least) + " and " +
-                      shortest(range.most));
+        fail(key,
+             text + " is not between " + shortest(range.least) + " and " + shortest(range.most));
     return value;
 }
 

@@ -1,5 +1,5 @@
-// Lofts and what is made of them: revolutions, prisms, tubes and boxes. All in double precision with
-// the project's own sine and cosine, so that every compiler makes the same vertices.
+// Lofts and what is made of them: revolutions, prisms, tubes and boxes. All in double precision
+// with the project's own sine and cosine, so that every compiler makes the same vertices.
 #include "scene/builtin/shapes.h"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ void add_sections(Solid& solid, const std::vector<Ring>& rings)
         const std::size_t across = count - 1 - i;
         solid.faces.push_back(
             {{rings[i][0], rings[i + 1][0], rings[across - 1][0], rings[across][0]}});
-        solid.faces.push_back({{rings[across][last], rings[across - 1][last], rings[i + 1][last],
-                                rings[i][last]}});
+        solid.faces.push_back(
+            {{rings[across][last], rings[across - 1][last], rings[i + 1][last], rings[i][last]}});
     }
 }
 
@@ -185,6 +185,17 @@ void add_box(Solid& solid, Vec low, Vec high, double bevel)
                       ring(high.x, bevel)},
                      false,
                      false});
+}
+
+void add_plate(Solid& solid, const std::vector<ProfilePoint>& outline, double half_thickness)
+{
+    Loft loft;
+    for (int side = -1; side <= 1; side += 2) {
+        Ring ring;
+        for (const ProfilePoint& p : outline) ring.push_back({p.x, p.r, side * half_thickness});
+        loft.rings.push_back(std::move(ring));
+    }
+    add_loft(solid, loft);
 }
 
 void add_placed(Solid& solid, const Solid& part, const Placement& placement)

@@ -17,10 +17,22 @@ struct Vec {
     double x = 0, y = 0, z = 0;
 };
 
-inline Vec operator+(Vec a, Vec b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-inline Vec operator*(double s, Vec v) { return {s * v.x, s * v.y, s * v.z}; }
-inline double dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+inline Vec operator+(Vec a, Vec b)
+{
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vec operator-(Vec a, Vec b)
+{
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vec operator*(double s, Vec v)
+{
+    return {s * v.x, s * v.y, s * v.z};
+}
+inline double dot(Vec a, Vec b)
+{
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 inline Vec cross(Vec a, Vec b)
 {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -110,6 +122,9 @@ void add_tube(Solid& solid, const Tube& tube);
 
 // A box with all edges cut at 45 degrees.
 void add_box(Solid& solid, Vec low, Vec high, double bevel);
+
+// A plate across z, its outline (x, and r for y) counter-clockwise and starlike around its mean.
+void add_plate(Solid& solid, const std::vector<ProfilePoint>& outline, double half_thickness);
 
 void add_placed(Solid& solid, const Solid& part, const Placement& placement);
 

@@ -1,0 +1,328 @@
+// The built-in scenes: what they hold, that parameters do what they say, and that every compiler
+// makes the same bits.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <sheer/error.h>
+
+#include "scene/builtin.h"
+#include "scene/camera.h"
+
+namespace sheer {
+namespace {
+
+// FNV-1a over all that a renderer reads from a scene.
+struct Hash {
+    std::uint64_t value = 0xcbf29ce484222325u;
+
+    template <class T>
+    void add(const std::vector<T>& items)
+    {
+        add(items.data(), items.size() * sizeof(T));
+    }
+    void add(const void* data, std::size_t size)
+    {
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        for (std::size_t i = 0; i < size; ++i) value = (value ^ bytes[i]) * 0x100000001b3u;
+    }
+};
+
+std::uint64_t hash_of(const Scene& scene)
+{
+    Hash hash;
+    for (const Mesh& mesh : scene.meshes) {
+        hash.add(mesh.positions);
+        hash.add(mesh.normals);
+        hash.add(mesh.colors);
+        hash.add(mesh.indices);
+        hash.add(&mesh.material, sizeof mesh.material);
+    }
+    for (const Material& material : scene.materials) {
+        hash.add(&material.base_color, sizeof material.base_color);
+        hash.add(&material.opacity, sizeof material.opacity);
+    }
+    for (const Object& object : scene.objects) {
+        hash.add(&object.transform, sizeof object.transform);
+        hash.add(&object.mesh, sizeof object.mesh);
+        hash.add(&object.id, sizeof object.id);
+    }
+    for (const Camera& camera : scene.cameras) {
+        hash.add(&camera.transform, sizeof camera.transform);
+        hash.add(&camera.yfov, sizeof camera.yfov);
+    }
+    return hash.value;
+}
+
+std::size_t triangles_of(const Scene& scene)
+{
+    std::size_t count = 0;
+    for (const Object& object : scene.objects)
+        count += scene.meshes[object.mesh].indices.size() / 3;
+    return count;
+}
+
+std::string error_of(const std::string& name_and_query)
+{
+    try {
+        make_builtin(name_and_query);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.fault(), Fault::input);
+        return error.what();
+    }
+    return "no error";
+}
+
+std::vector<std::uint32_t> submitted_ids(const std::string& name_and_query)
+{
+    std::vector<std::uint32_t> ids;
+    for (const Object& object : make_builtin(name_and_query).objects) ids.push_back(object.id);
+    return ids;
+}
+
+std::vector<float> depths(const Scene& scene)
+{
+    std::vector<float> depths;
+    for (const Object& object : scene.objects)
+        depths.push_back(-scene.meshes[object.mesh].positions[0][2]);
+    return depths;
+}
+
+// How many of a mesh's edges are not used once in each direction.
+int open_edges(const Mesh& mesh)
+{
+    std::map<std::pair<Float3, Float3>, int> uses;
+    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
+        const Float3& from = mesh.positions[mesh.indices[i]];
+        const Float3& to = mesh.positions[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
+        ++uses[{from, to}];
+        --uses[{to, from}];
+    }
+    const auto unpaired = [](const auto& use) { return use.second != 0; };
+    return static_cast<int>(std::count_if(uses.begin(), uses.end(), unpaired));
+}
+
+struct Corners {
+    double p[3][3], area[3];  // area: twice the triangle's, along its normal
+};
+
+Corners corners_of(const Mesh& mesh, std::size_t first)
+{
+    Corners c;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t k = 0; k < 3; ++k) c.p[i][k] = mesh.positions[mesh.indices[first + i]][k];
+    for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
+        c.area[k] = (c.p[1][u] - c.p[0][u]) * (c.p[2][v] - c.p[0][v]) -
+                    (c.p[1][v] - c.p[0][v]) * (c.p[2][u] - c.p[0][u]);
+    }
+    return c;
+}
+
+double volume_of(const Mesh& mesh)
+{
+    double volume = 0;
+    for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
+        const Corners c = corners_of(mesh, f);
+        for (std::size_t k = 0; k < 3; ++k) volume += c.p[0][k] * c.area[k] / 6;
+    }
+    return volume;
+}
+
+void expect_sound(const Mesh& mesh)
+{
+    ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << mesh.name;
+    for (const Float3& n : mesh.normals)
+        ASSERT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-5) << mesh.name;
+    for (const Float3& p : mesh.positions)
+        ASSERT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+    ASSERT_EQ(mesh.indices.size() % 3, 0u);
+    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
+    for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
+        const Corners c = corners_of(mesh, f);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Float3& n = mesh.normals[mesh.indices[f + i]];
+            ASSERT_GT(n[0] * c.area[0] + n[1] * c.area[1] + n[2] * c.area[2], 0) << mesh.name;
+        }
+    }
+}
+
+TEST(Builtin, EveryScenesParametersAreItsDefaults)
+{
+    for (const BuiltinScene& row : builtin_scenes()) {
+        const Scene scene = make_builtin(row.name);
+        EXPECT_EQ(hash_of(scene),
+                  hash_of(make_builtin(std::string(row.name) + "?" + row.parameters)))
+            << row.name;
+        EXPECT_FALSE(scene.cameras.empty());
+        EXPECT_TRUE(scene.background.has_value());
+    }
+}
+
+TEST(Builtin, EveryScenesMeshesAreSoundAndItsIdsUnique)
+{
+    for (const BuiltinScene& row : builtin_scenes()) {
+        const Scene scene = make_builtin(row.name);
+        for (const Mesh& mesh : scene.meshes) expect_sound(mesh);
+        std::set<std::uint32_t> ids;
+        for (const Object& object : scene.objects) {
+            ASSERT_LT(object.mesh, scene.meshes.size());
+            EXPECT_TRUE(ids.insert(object.id).second) << row.name << object.id;
+        }
+    }
+}
+
+// The bits are the same with g++ and clang++, optimised or not. A change of a scene changes its
+// line: then its pictures and counts in docs/scenes.md are to be made again.
+TEST(Builtin, BitsAreTheSameEverywhere)
+{
+    EXPECT_EQ(hash_of(make_builtin("layers")), 0x5d88c7b50421f7d4u);
+    EXPECT_EQ(hash_of(make_builtin("layers?n=40&order=random&seed=7")), 0x3f193554f532424du);
+    EXPECT_EQ(hash_of(make_builtin("quads")), 0x347f1385cfff8dbeu);
+    EXPECT_EQ(hash_of(make_builtin("motor")), 0xc42bacefa074c8f5u);
+    EXPECT_EQ(hash_of(make_builtin("motor?detail=0.37")), 0x04659965bf1770eau);
+}
+
+TEST(Builtin, NamesWhatExists)
+{
+    EXPECT_EQ(error_of("layer"), "builtin:layer: no such scene; there are layers, quads, motor");
+    EXPECT_EQ(error_of(""), "builtin:: no such scene; there are layers, quads, motor");
+    EXPECT_EQ(error_of("quads?layer=3"),
+              "builtin:quads: layer: no such parameter; there are layers, split");
+}
+
+TEST(Builtin, NamesWhatIsWrongWithAValue)
+{
+    EXPECT_EQ(error_of("layers?alpha=1.2"), "builtin:layers: alpha: 1.2 is not between 0 and 1");
+    EXPECT_EQ(error_of("layers?alpha=0.5,-1"), "builtin:layers: alpha: -1 is not between 0 and 1");
+    EXPECT_EQ(error_of("layers?alpha=nan"), "builtin:layers: alpha: nan is not between 0 and 1");
+    EXPECT_EQ(error_of("layers?alpha=half"), "builtin:layers: alpha: 'half' is not a number");
+    EXPECT_EQ(error_of("layers?alpha=0.5x"), "builtin:layers: alpha: '0.5x' is not a number");
+    EXPECT_EQ(error_of("layers?alpha="), "builtin:layers: alpha: '' is not a number");
+    EXPECT_EQ(error_of("layers?alpha=0.5,"), "builtin:layers: alpha: '' is not a number");
+    EXPECT_EQ(error_of("layers?n=2.5"), "builtin:layers: n: 2.5 is not a whole number");
+    EXPECT_EQ(error_of("layers?n=0"), "builtin:layers: n: 0 is not between 1 and 10000");
+    EXPECT_EQ(error_of("layers?depth=0"),
+              "builtin:layers: depth: 0 is not between 0.001 and 1e+06");
+    EXPECT_EQ(error_of("layers?order=back"),
+              "builtin:layers: order: 'back' is none of near-to-far, far-to-near, random");
+    EXPECT_EQ(
+        error_of("layers?color=1,0"),
+        "builtin:layers: color: '1,0' is not a colour: three numbers with commas between them");
+    EXPECT_EQ(error_of("layers?alpha"), "builtin:layers: 'alpha' is not key=value");
+    EXPECT_EQ(error_of("layers?=1"), "builtin:layers: '=1' is not key=value");
+    EXPECT_EQ(error_of("layers?n=1&"), "builtin:layers: '' is not key=value");
+    EXPECT_EQ(error_of("layers?n=1&n=1"), "builtin:layers: n: given twice");
+    EXPECT_EQ(error_of("motor?detail=99"), "builtin:motor: detail: 99 is not between 0.1 and 8");
+}
+
+TEST(Layers, OrderIsOfTheSubmissionAlone)
+{
+    using Ids = std::vector<std::uint32_t>;
+    EXPECT_EQ(submitted_ids("layers?n=4"), (Ids{0, 1, 2, 3}));
+    EXPECT_EQ(submitted_ids("layers?n=4&order=far-to-near"), (Ids{3, 2, 1, 0}));
+    const Ids shuffled = submitted_ids("layers?n=40&order=random");
+    EXPECT_NE(shuffled, submitted_ids("layers?n=40"));
+    EXPECT_NE(shuffled, submitted_ids("layers?n=40&order=random&seed=1"));
+    Ids sorted = shuffled;
+    std::sort(sorted.begin(), sorted.end());
+    EXPECT_EQ(sorted, submitted_ids("layers?n=40"));
+
+    const Scene scene = make_builtin("layers?n=40&order=random");
+    for (const Object& object : scene.objects)
+        EXPECT_EQ(scene.meshes[object.mesh].positions[0][2], -1.0f - static_cast<float>(object.id));
+}
+
+TEST(Layers, ShortListsRepeatTheirLastEntry)
+{
+    const Scene scene = make_builtin("layers?n=3&alpha=0,1&color=1,2,3&depth=4,0.5");
+    EXPECT_EQ(scene.materials[0].opacity, 0.0f);
+    EXPECT_EQ(scene.materials[1].opacity, 1.0f);
+    EXPECT_EQ(scene.materials[2].opacity, 1.0f);
+    EXPECT_EQ(scene.materials[2].base_color, (Float3{1, 2, 3}));
+    EXPECT_EQ(depths(scene), (std::vector<float>{4, 0.5f, 0.5f}));
+    EXPECT_EQ(scene.cameras[0].znear, 0.25f);
+}
+
+TEST(Layers, CountIsThatOfTheLongestList)
+{
+    EXPECT_EQ(make_builtin("layers").objects.size(), 2u);
+    EXPECT_EQ(make_builtin("layers?alpha=0.5").objects.size(), 1u);
+    EXPECT_EQ(make_builtin("layers?alpha=0.5,0.6,0.7&depth=1,2").objects.size(), 3u);
+    EXPECT_EQ(make_builtin("layers?alpha=0.5,0.6,0.7&n=2").objects.size(), 2u);
+    EXPECT_EQ(depths(make_builtin("layers?n=3")), (std::vector<float>{1, 2, 3}));
+}
+
+TEST(Layers, CoverTheViewAtAnyAspect)
+{
+    const Scene scene = make_builtin("layers?depth=1,100");
+    for (const auto& [width, height] : {std::pair{400, 100}, {100, 100}, {100, 900}}) {
+        View view;
+        view.width = width;
+        view.height = height;
+        const Projection camera = resolve_camera(scene, view);
+        for (const Mesh& mesh : scene.meshes)
+            for (const Float3& p : mesh.positions) {
+                EXPECT_GT(std::abs(camera.scale_x * p[0] / -p[2]), 1.4);
+                EXPECT_GT(std::abs(camera.scale_y * p[1] / -p[2]), 1.4);
+            }
+    }
+}
+
+TEST(Quads, CountsFollowTheParameters)
+{
+    // Nine constants, one whole ramp, 0.61 and five fifths; the ramp in 1, 3 and 8 times the
+    // pieces; four stacks.
+    EXPECT_EQ(triangles_of(make_builtin("quads")), 2u * (16 + 12 * 32 + 2 + 4 + 8 + 8));
+    EXPECT_EQ(triangles_of(make_builtin("quads?split=5&layers=1")), 2u * (16 + 12 * 5 + 4));
+}
+
+TEST(Quads, FifthsShareTheirEdgesExactly)
+{
+    const Scene scene = make_builtin("quads");
+    std::vector<const Mesh*> fifths;
+    for (const Mesh& mesh : scene.meshes)
+        if (mesh.name.starts_with("fifth")) fifths.push_back(&mesh);
+    ASSERT_EQ(fifths.size(), 5u);
+    for (std::size_t i = 0; i + 1 < 5; ++i) {
+        EXPECT_EQ(fifths[i]->positions[1], fifths[i + 1]->positions[0]);
+        EXPECT_EQ(fifths[i]->positions[3], fifths[i + 1]->positions[2]);
+    }
+}
+
+TEST(Motor, IsOfThePapersSize)
+{
+    const Scene scene = make_builtin("motor");
+    EXPECT_EQ(triangles_of(scene), 322196u);
+    EXPECT_EQ(scene.meshes.size(), 41u);
+    EXPECT_EQ(scene.objects.size(), 500u);
+    ASSERT_EQ(scene.materials.size(), 1u);
+    EXPECT_EQ(scene.materials[0].opacity, 0.3f);
+    EXPECT_FALSE(scene.materials[0].unlit);
+    EXPECT_EQ(make_builtin("motor?alpha=1").materials[0].opacity, 1.0f);
+}
+
+TEST(Motor, PartsAreClosedAndFaceOutward)
+{
+    for (const char* query : {"motor", "motor?detail=0.1", "motor?detail=1.7"}) {
+        for (const Mesh& mesh : make_builtin(query).meshes) {
+            EXPECT_EQ(open_edges(mesh), 0) << mesh.name;
+            EXPECT_GT(volume_of(mesh), 0) << mesh.name;
+        }
+    }
+}
+
+TEST(Motor, DetailScalesTheTriangles)
+{
+    EXPECT_LT(triangles_of(make_builtin("motor?detail=0.1")), 130000u);
+    EXPECT_GT(triangles_of(make_builtin("motor?detail=2")), 750000u);
+}
+
+}  // namespace
+}  // namespace sheer
