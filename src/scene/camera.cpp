@@ -27,9 +27,9 @@ double aspect_of(const View& view)
 void set_pose(Projection& projection, const Pose& pose)
 {
     const Vec3 rows[3] = {pose.right, pose.up, pose.back};
-    for (int row = 0; row < 3; ++row) {
+    for (std::size_t row = 0; row < 3; ++row) {
         double shift = 0;
-        for (int i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             projection.world_to_view[4 * i + row] = rows[row][i];
             shift -= rows[row][i] * pose.eye[i];
         }

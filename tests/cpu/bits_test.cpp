@@ -1,6 +1,9 @@
 // The same picture, bit for bit, whatever the number of threads and the vector instructions.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 #include <sheer/sheer.h>
 
 #include "lanes/targets.h"
@@ -36,13 +39,30 @@ void expect_same_bits(const std::string& source, const View& view, const std::st
             options.threads = threads;
             const Frame frame = render(scene, view, options);
             EXPECT_EQ(frame.image.pixels, expected.pixels)
-                << source << ", " << method << ", S = " << view.samples << ", "
-                << frame.stats.simd << ", " << threads << " threads";
+                << source << ", " << method << ", S = " << view.samples << ", " << frame.stats.simd
+                << ", " << threads << " threads";
         }
     }
 }
 
 }  // namespace
+
+// The order of submission is not seen: identities break ties.
+TEST(Bits, AnyOrderOfSubmission)
+{
+    View view;
+    view.width = view.height = 120;
+    std::mt19937 random(11);
+    for (const char* source : {"builtin:quads", "builtin:motor", "builtin:layers?n=9&depth=1,2,2,2",
+                               SHEER_SOURCE_DIR "/scenes/tea_table.glb"}) {
+        Scene scene = load(source);
+        const Image expected = render(scene, view, {}).image;
+        for (int round = 0; round < 3; ++round) {
+            std::shuffle(scene.objects.begin(), scene.objects.end(), random);
+            EXPECT_EQ(render(scene, view, {}).image.pixels, expected.pixels) << source;
+        }
+    }
+}
 
 TEST(Bits, EveryLevelAndAnyNumberOfThreads)
 {

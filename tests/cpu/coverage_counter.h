@@ -12,7 +12,8 @@ namespace sheer {
 class CoverageCounter {
 public:
     CoverageCounter(int width, int height, int samples, SamplePositions positions)
-        : grid_{width, height, 0}, set_(make_sample_set(samples, positions)),
+        : grid_{width, height, 0},
+          set_(make_sample_set(samples, positions)),
           counts_(static_cast<std::size_t>(width * height * samples))
     {
         surfaces_.surfaces.push_back({{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, true, false});
@@ -54,8 +55,8 @@ private:
             const int x = rect.x0 + static_cast<int>(stream.pixel[i]) % kTileSize;
             const int y = rect.y0 + static_cast<int>(stream.pixel[i]) / kTileSize;
             for (int s = 0; s < self.set_.count; ++s) {
-                const auto at = static_cast<std::size_t>(
-                    (y * self.grid_.width + x) * self.set_.count + s);
+                const auto at =
+                    static_cast<std::size_t>((y * self.grid_.width + x) * self.set_.count + s);
                 self.counts_[at] =
                     static_cast<std::uint8_t>(self.counts_[at] + (stream.sample_bits(i) >> s & 1));
             }

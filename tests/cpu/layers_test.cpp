@@ -29,10 +29,11 @@ std::vector<Layer> random_layers(int count, std::mt19937& random)
     for (int i = 0; i < count; ++i) {
         const auto kind = random() % 8;
         const double alpha = kind == 0 ? 0.0 : kind == 1 && i > count / 2 ? 1.0 : uniform(random);
-        layers.push_back({std::floor(alpha * 4096) / 4096, depth,
-                          {std::floor(uniform(random) * 256) / 256,
-                           std::floor(uniform(random) * 256) / 256,
-                           std::floor(uniform(random) * 256) / 256}});
+        layers.push_back(
+            {std::floor(alpha * 4096) / 4096,
+             depth,
+             {std::floor(uniform(random) * 256) / 256, std::floor(uniform(random) * 256) / 256,
+              std::floor(uniform(random) * 256) / 256}});
         if (random() % 3 != 0) depth += 0.25;
     }
     return layers;

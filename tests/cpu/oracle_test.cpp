@@ -1,6 +1,6 @@
-// `exact` against the oracle: at most 1e-4 max(1, |C|) in every channel. Where the exact answer jumps
-// under rounding (reference.h, Discontinuity) a pixel may differ; such pixels are counted and must
-// stay below 0.01 % of all.
+// `exact` against the oracle: at most 1e-4 max(1, |C|) in every channel. Where the exact answer
+// jumps under rounding (reference.h, Discontinuity) a pixel may differ; such pixels are counted and
+// must stay below 0.01 % of all.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,14 +88,24 @@ void compare_at_all_samples(const std::string& source)
 
 TEST(Oracle, Layers)
 {
-    compare_at_all_samples("builtin:layers?alpha=0.3,0.9,0.5&color=1,0,0;0,1,0;1,1,1&depth=1,2,2,3");
+    compare_at_all_samples(
+        "builtin:layers?alpha=0.3,0.9,0.5&color=1,0,0;0,1,0;1,1,1&depth=1,2,2,3");
 }
 
-TEST(Oracle, Quads) { compare_at_all_samples("builtin:quads"); }
+TEST(Oracle, Quads)
+{
+    compare_at_all_samples("builtin:quads");
+}
 
-TEST(Oracle, Motor) { compare_at_all_samples("builtin:motor"); }
+TEST(Oracle, Motor)
+{
+    compare_at_all_samples("builtin:motor");
+}
 
-TEST(Oracle, ShippedFile) { compare_at_all_samples(SHEER_SOURCE_DIR "/scenes/tea_table.glb"); }
+TEST(Oracle, ShippedFile)
+{
+    compare_at_all_samples(SHEER_SOURCE_DIR "/scenes/tea_table.glb");
+}
 
 // Files that use nothing beyond triangles, factors and vertex colours; others are compared too, for
 // what the reader ignores of them neither side sees.

@@ -22,8 +22,8 @@ std::int64_t twice_area(const SamplePoint& a, const SamplePoint& b, const Sample
     return std::int64_t{b.x - a.x} * (c.y - a.y) - std::int64_t{c.x - a.x} * (b.y - a.y);
 }
 
-// Random lattice points put into random triangles, then edges flipped where the quadrilateral around
-// them is convex: fat, tiny and sliver triangles without T-junctions.
+// Random lattice points put into random triangles, then edges flipped where the quadrilateral
+// around them is convex: fat, tiny and sliver triangles without T-junctions.
 class Subdivision {
 public:
     Subdivision(const Rectangle& r, std::mt19937& random) : random_(random)
@@ -186,8 +186,7 @@ TEST(Watertight, AClosedBoxSeenFromInside)
         Mesh mesh;
         const float z = round % 2 == 0 ? 1.0f : 1e-3f;  // a box, or two sheets close together
         for (int i = 0; i < 8; ++i) {
-            mesh.positions.push_back(
-                {i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? z : -z});
+            mesh.positions.push_back({i & 1 ? 1.0f : -1.0f, i & 2 ? 1.0f : -1.0f, i & 4 ? z : -z});
         }
         const int faces[6][4] = {{0, 1, 3, 2}, {4, 6, 7, 5}, {0, 4, 5, 1},
                                  {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 5, 7, 3}};
@@ -208,8 +207,8 @@ TEST(Watertight, AClosedBoxSeenFromInside)
         projection.znear = 1e-6;
         projection.zfar = 0;
         CoverageCounter counter(view.width, view.height, 8, SamplePositions::standard);
-        Geometry geometry = build_geometry(
-            {scene, projection, counter.grid(), counter.samples().extent, 1});
+        Geometry geometry =
+            build_geometry({scene, projection, counter.grid(), counter.samples().extent, 1});
         const std::vector<std::uint8_t>& counts = counter.count(geometry, targets_of(Simd::best));
         std::size_t wrong = 0;
         for (const std::uint8_t c : counts) wrong += c != 1;

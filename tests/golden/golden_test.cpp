@@ -1,9 +1,9 @@
 // Pictures whose bits are known. Every compiler, instruction set and number of threads gives them.
 //
 // hashes.txt holds a line for each; a PNG beside it is for people. Where a hash differs the picture
-// made is written to out/golden, with the command that makes it again. SHEER_REMAKE_GOLDEN=1 makes all
-// anew: changed hashes come in a commit of their own, with the error against the oracle before and
-// after.
+// made is written to out/golden, with the command that makes it again. SHEER_REMAKE_GOLDEN=1 makes
+// all anew: changed hashes come in a commit of their own, with the error against the oracle before
+// and after.
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -2,9 +2,7 @@
 // makes the same bits.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <map>
-#include <set>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -94,65 +92,6 @@ std::vector<float> depths(const Scene& scene)
     return depths;
 }
 
-// How many of a mesh's edges are not used once in each direction.
-int open_edges(const Mesh& mesh)
-{
-    std::map<std::pair<Float3, Float3>, int> uses;
-    for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
-        const Float3& from = mesh.positions[mesh.indices[i]];
-        const Float3& to = mesh.positions[mesh.indices[i % 3 == 2 ? i - 2 : i + 1]];
-        ++uses[{from, to}];
-        --uses[{to, from}];
-    }
-    const auto unpaired = [](const auto& use) { return use.second != 0; };
-    return static_cast<int>(std::count_if(uses.begin(), uses.end(), unpaired));
-}
-
-struct Corners {
-    double p[3][3], area[3];  // area: twice the triangle's, along its normal
-};
-
-Corners corners_of(const Mesh& mesh, std::size_t first)
-{
-    Corners c;
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t k = 0; k < 3; ++k) c.p[i][k] = mesh.positions[mesh.indices[first + i]][k];
-    for (std::size_t k = 0; k < 3; ++k) {
-        const std::size_t u = (k + 1) % 3, v = (k + 2) % 3;
-        c.area[k] = (c.p[1][u] - c.p[0][u]) * (c.p[2][v] - c.p[0][v]) -
-                    (c.p[1][v] - c.p[0][v]) * (c.p[2][u] - c.p[0][u]);
-    }
-    return c;
-}
-
-double volume_of(const Mesh& mesh)
-{
-    double volume = 0;
-    for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
-        const Corners c = corners_of(mesh, f);
-        for (std::size_t k = 0; k < 3; ++k) volume += c.p[0][k] * c.area[k] / 6;
-    }
-    return volume;
-}
-
-void expect_sound(const Mesh& mesh)
-{
-    ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << mesh.name;
-    for (const Float3& n : mesh.normals)
-        ASSERT_NEAR(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-5) << mesh.name;
-    for (const Float3& p : mesh.positions)
-        ASSERT_TRUE(std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
-    ASSERT_EQ(mesh.indices.size() % 3, 0u);
-    for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());
-    for (std::size_t f = 0; f < mesh.indices.size(); f += 3) {
-        const Corners c = corners_of(mesh, f);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Float3& n = mesh.normals[mesh.indices[f + i]];
-            ASSERT_GT(n[0] * c.area[0] + n[1] * c.area[1] + n[2] * c.area[2], 0) << mesh.name;
-        }
-    }
-}
-
 TEST(Builtin, EveryScenesParametersAreItsDefaults)
 {
     for (const BuiltinScene& row : builtin_scenes()) {
@@ -162,19 +101,6 @@ TEST(Builtin, EveryScenesParametersAreItsDefaults)
             << row.name;
         EXPECT_FALSE(scene.cameras.empty());
         EXPECT_TRUE(scene.background.has_value());
-    }
-}
-
-TEST(Builtin, EveryScenesMeshesAreSoundAndItsIdsUnique)
-{
-    for (const BuiltinScene& row : builtin_scenes()) {
-        const Scene scene = make_builtin(row.name);
-        for (const Mesh& mesh : scene.meshes) expect_sound(mesh);
-        std::set<std::uint32_t> ids;
-        for (const Object& object : scene.objects) {
-            ASSERT_LT(object.mesh, scene.meshes.size());
-            EXPECT_TRUE(ids.insert(object.id).second) << row.name << object.id;
-        }
     }
 }
 
@@ -306,16 +232,6 @@ TEST(Motor, IsOfThePapersSize)
     EXPECT_EQ(scene.materials[0].opacity, 0.3f);
     EXPECT_FALSE(scene.materials[0].unlit);
     EXPECT_EQ(make_builtin("motor?alpha=1").materials[0].opacity, 1.0f);
-}
-
-TEST(Motor, PartsAreClosedAndFaceOutward)
-{
-    for (const char* query : {"motor", "motor?detail=0.1", "motor?detail=1.7"}) {
-        for (const Mesh& mesh : make_builtin(query).meshes) {
-            EXPECT_EQ(open_edges(mesh), 0) << mesh.name;
-            EXPECT_GT(volume_of(mesh), 0) << mesh.name;
-        }
-    }
 }
 
 TEST(Motor, DetailScalesTheTriangles)
