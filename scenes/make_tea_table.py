@@ -3,9 +3,9 @@
 
     python3 scenes/make_tea_table.py [scenes/tea_table.glb]
 
-Everything is computed here, from the standard library alone: an opaque table on a floor, glasses with
-inner and outer walls and tea in them, coloured acrylic panes behind one another, and a folding screen
-whose lattice is cut out of a plain panel by vertex alpha (alphaMode MASK). Metres, y up.
+Everything is computed here, from the standard library alone: an opaque table on a floor, glasses
+with inner and outer walls and tea in them, coloured acrylic panes behind one another, and a folding
+screen whose lattice is cut out of plain panels by vertex alpha (alphaMode MASK). Metres, y up.
 """
 
 import json
@@ -186,13 +186,13 @@ def add_floor(glb):
 def add_table(glb):
     """A round top on three splayed legs, and the tray on it."""
     def wood(radius, height, angle):
-        ring = 0.5 + 0.5 * math.sin(95 * radius + 3 * math.sin(2 * angle))
-        return mix((0.36, 0.20, 0.11), (0.50, 0.30, 0.17), 0.65 * ring + 0.35 * (height > 0.39))
+        ring = 0.5 + 0.5 * math.sin(120 * radius + 3 * math.sin(2 * angle))
+        return mix((0.22, 0.105, 0.05), (0.34, 0.18, 0.09), 0.65 * ring + 0.35 * (height > 0.4))
 
     top = Shape()
-    edge = [(0.0, 0.38), (0.46, 0.38), (0.46, 0.38), (0.492, 0.385), (0.5, 0.40), (0.492, 0.415),
-            (0.48, 0.42), (0.48, 0.42)]
-    top.turned(edge + [(0.48 * (1 - i / 20), 0.42) for i in range(1, 21)], 64, wood)
+    edge = [(0.0, 0.39), (0.36, 0.39), (0.36, 0.39), (0.384, 0.394), (0.39, 0.405), (0.384, 0.416),
+            (0.375, 0.42), (0.375, 0.42)]
+    top.turned(edge + [(0.375 * (1 - i / 20), 0.42) for i in range(1, 21)], 64, wood)
     leg = Shape()
     leg.turned([(0.0, 0.0), (0.014, 0.0), (0.014, 0.0), (0.018, 0.1), (0.026, 0.40)], 16, wood)
     material = glb.material("Walnut")
@@ -203,8 +203,8 @@ def add_table(glb):
         angle = TAU * (k / 3 + 0.08)
         lean = axis_angle((-math.sin(angle), 0, math.cos(angle)), 12)
         glb.node("Leg %d" % (k + 1), table, mesh=leg_mesh, rotation=lean,
-                 translation=[round(0.40 * math.cos(angle), 4), 0,
-                              round(0.40 * math.sin(angle), 4)])
+                 translation=[round(0.32 * math.cos(angle), 4), 0,
+                              round(0.32 * math.sin(angle), 4)])
 
     tray = Shape()
     tray.turned([(0.27, 0.0), (0.29, 0.004), (0.305, 0.026), (0.305, 0.026), (0.298, 0.026),
@@ -235,20 +235,21 @@ def add_glasses(glb, tray):
     tea.turned(TEA, 48)
     carafe.turned(CARAFE_OUTER + CARAFE_INNER, 56)
     carafe_tea.turned(CARAFE_TEA, 56)
-    amber = glb.material("Tea", (0.78, 0.30, 0.05, 0.55), alphaMode="BLEND")
+    amber = glb.material("Tea", (0.66, 0.20, 0.02, 0.58), alphaMode="BLEND")
     tumbler, tea = glb.geometry(tumbler), glb.geometry(tea)
     tea_mesh = glb.mesh("Tea", tea, amber)
-    glasses = [("Rose", (0.86, 0.28, 0.36, 0.30), (-0.115, 0.135), True),
-               ("Teal", (0.10, 0.58, 0.58, 0.30), (0.005, 0.175), False),
-               ("Violet", (0.44, 0.32, 0.78, 0.30), (0.130, 0.110), True)]
+    glasses = [("Rose", (0.84, 0.20, 0.30, 0.24), (-0.125, 0.125), True),
+               ("Teal", (0.04, 0.50, 0.52, 0.24), (0.0, 0.185), False),
+               ("Violet", (0.36, 0.24, 0.78, 0.24), (0.125, 0.125), True)]
     for name, color, (x, z), full in glasses:
-        glass = glb.material(name + " glass", color, alphaMode="BLEND")
-        node = glb.node(name + " tumbler", tray, translation=[x, 0.0065, z],
+        glass = glb.material(name + " glass", color, alphaMode="BLEND", doubleSided=True)
+        node = glb.node(name + " tumbler", tray, translation=[x, 0.0065, z], scale=[1.2, 1.2, 1.2],
                         mesh=glb.mesh(name + " tumbler", tumbler, glass))
         if full:
             glb.node(name + " tumbler's tea", node, mesh=tea_mesh)
-    clear = glb.material("Carafe glass", (0.62, 0.80, 0.76, 0.22), alphaMode="BLEND")
-    node = glb.node("Carafe", tray, translation=[0.01, 0.0065, -0.06], scale=[1.15, 1.15, 1.15],
+    clear = glb.material("Carafe glass", (0.50, 0.76, 0.72, 0.16), alphaMode="BLEND",
+                         doubleSided=True)
+    node = glb.node("Carafe", tray, translation=[0.02, 0.0065, -0.07], scale=[1.25, 1.25, 1.25],
                     mesh=glb.mesh("Carafe", glb.geometry(carafe), clear))
     glb.node("Carafe's tea", node, mesh=glb.mesh("Carafe's tea", glb.geometry(carafe_tea), amber))
 
@@ -258,8 +259,8 @@ def add_sweets(glb, tray):
     cube = Shape()
     cube.box((-0.0085, 0.0, -0.0085), (0.0085, 0.017, 0.0085))
     sugar = glb.mesh("Sugar", glb.geometry(cube), glb.material("Sugar", (0.90, 0.88, 0.84, 1)))
-    for k, (x, y, z, turn) in enumerate([(-0.17, 0, 0.02, 20), (-0.185, 0, 0.045, 65),
-                                         (-0.158, 0, 0.046, 5), (-0.171, 0.017, 0.036, 40)]):
+    for k, (x, y, z, turn) in enumerate([(-0.195, 0, 0.045, 20), (-0.219, 0, 0.052, 65),
+                                         (-0.205, 0, 0.070, 5), (-0.206, 0.017, 0.056, 40)]):
         glb.node("Sugar %d" % (k + 1), tray, mesh=sugar, translation=[x, 0.0065 + y, z],
                  rotation=axis_angle((0, 1, 0), turn))
     lemon = Shape()
@@ -272,7 +273,7 @@ def add_sweets(glb, tray):
     lemon.turned(profile, 32)
     yellow = glb.material("Lemon", (0.90, 0.70, 0.10, 1))
     glb.node("Lemon", tray, mesh=glb.mesh("Lemon", glb.geometry(lemon), yellow),
-             translation=[0.19, 0.035, -0.005], rotation=axis_angle(unit((1, 0.25, -0.5)), 82))
+             translation=[0.19, 0.035, 0.02], rotation=axis_angle(unit((1, 0.25, -0.5)), 82))
 
 
 def rounded_pane(width, height, corner):
@@ -294,19 +295,19 @@ def rounded_pane(width, height, corner):
 
 def add_panes(glb):
     """Five panes in a slotted block, each a little to the side of the one before it."""
-    stand = glb.node("Panes", translation=[-0.74, 0, 0.02], rotation=axis_angle((0, 1, 0), 24))
+    stand = glb.node("Panes", translation=[-0.56, 0, -0.30], rotation=axis_angle((0, 1, 0), 24))
     block = Shape()
-    block.box((-0.27, 0.0, -0.23), (0.27, 0.035, 0.23))
+    block.box((-0.26, 0.0, -0.20), (0.26, 0.035, 0.20))
     oak = glb.material("Oak", (0.56, 0.42, 0.27, 1))
     glb.node("Stand", stand, mesh=glb.mesh("Stand", glb.geometry(block), oak))
-    pane = glb.geometry(rounded_pane(0.40, 0.74, 0.05))
-    tints = [("Yellow", (0.98, 0.78, 0.10, 0.42)), ("Orange", (0.96, 0.42, 0.08, 0.42)),
-             ("Magenta", (0.82, 0.10, 0.42, 0.42)), ("Blue", (0.12, 0.26, 0.80, 0.42)),
-             ("Cyan", (0.06, 0.62, 0.78, 0.42))]
+    pane = glb.geometry(rounded_pane(0.34, 0.66, 0.045))
+    tints = [("Yellow", (0.95, 0.68, 0.03, 0.46)), ("Orange", (0.92, 0.26, 0.03, 0.46)),
+             ("Magenta", (0.74, 0.04, 0.30, 0.46)), ("Blue", (0.06, 0.12, 0.66, 0.46)),
+             ("Cyan", (0.02, 0.48, 0.66, 0.46))]
     for k, (name, color) in enumerate(tints):
         acrylic = glb.material(name + " acrylic", color, alphaMode="BLEND", doubleSided=True)
         glb.node(name + " pane", stand, mesh=glb.mesh(name + " pane", pane, acrylic),
-                 translation=[round(0.04 * (k - 2), 3), 0.03, round(0.18 - 0.09 * k, 3)],
+                 translation=[round(0.04 * (k - 2), 3), 0.03, round(0.16 - 0.08 * k, 3)],
                  scale=[1, round(1 + 0.06 * k, 2), 1])
 
 
@@ -333,9 +334,9 @@ def lattice_vertex(u, v):
     outward = ((u - 0.5) / radius, (v - 0.5) / radius) if radius > 0 else (0, 0)
     strips.append((strip_at(radius - 0.27, half), radius - 0.27, outward))
     inside, distance, across = max(strips)
-    tilt = 0.7 * max(-1.0, min(1.0, distance / half)) / math.hypot(*across or (1, 1)) \
-        if across != (0, 0) else 0.0
-    color = mix((0.42, 0.28, 0.13), (0.72, 0.55, 0.31), smooth(inside))
+    # Turned sideways across a strip, the normals make it look round.
+    tilt = 0.7 * max(-1.0, min(1.0, distance / half)) / (math.hypot(*across) or 1.0)
+    color = mix((0.30, 0.18, 0.075), (0.58, 0.40, 0.20), smooth(inside))
     alpha = 0.5 + 0.5 * max(-1.0, min(1.0, inside))
     return (tilt * across[0], tilt * across[1], 1.0), (*color, alpha)
 
@@ -360,7 +361,7 @@ def lattice_tile(size):
 
 def add_screen(glb):
     """Three leaves, hinged: each leaf is a child of the one before it."""
-    tile, columns, rows, bar = 0.19, 3, 6, 0.022
+    tile, columns, rows, bar = 0.16, 3, 6, 0.020
     width, height, foot = tile * columns, tile * rows, 0.06
     frame = Shape()
     for x in (-bar, width):
@@ -371,7 +372,7 @@ def add_screen(glb):
     bamboo = glb.material("Bamboo", alphaMode="MASK", alphaCutoff=0.5, doubleSided=True)
     frame_mesh = glb.mesh("Screen frame", glb.geometry(frame), ebony)
     tile_mesh = glb.mesh("Lattice", glb.geometry(lattice_tile(tile)), bamboo)
-    parent, at, turn = None, [-0.50, 0, -0.62], 16
+    parent, at, turn = None, [-0.62, 0, -0.70], 14
     for leaf in range(3):
         node = glb.node("Leaf %d" % (leaf + 1), parent, translation=at, mesh=frame_mesh,
                         rotation=axis_angle((0, 1, 0), turn))
@@ -379,7 +380,7 @@ def add_screen(glb):
             glb.node("Lattice %d.%d" % (leaf + 1, k + 1), node, mesh=tile_mesh,
                      translation=[round(tile * (k % columns), 3),
                                   round(foot + tile * (k // columns), 3), 0])
-        parent, at, turn = node, [width + 2 * bar, 0, 0], (-46, 52)[leaf % 2]
+        parent, at, turn = node, [width + 2 * bar, 0, 0], (-34, 44)[leaf % 2]
 
 
 def add_camera(glb, eye, target):
@@ -401,7 +402,7 @@ def main():
     add_screen(glb)
     add_panes(glb)
     add_glasses(glb, tray)
-    add_camera(glb, (0.50, 1.02, 2.15), (-0.07, 0.50, -0.05))
+    add_camera(glb, (0.39, 1.00, 1.86), (-0.08, 0.43, -0.10))
     glb.write(sys.argv[1] if len(sys.argv) > 1 else beside)
 
 

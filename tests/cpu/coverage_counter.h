@@ -8,15 +8,16 @@
 
 namespace sheer {
 
-// Screen triangles of one transparent, unlit object, given directly.
+// Takes every object for a transparent, unlit one.
 class CoverageCounter {
 public:
-    CoverageCounter(int width, int height, int samples, SamplePositions positions)
+    CoverageCounter(int width, int height, int samples, SamplePositions positions,
+                    std::size_t objects = 1)
         : grid_{width, height, 0},
           set_(make_sample_set(samples, positions)),
           counts_(static_cast<std::size_t>(width * height * samples))
     {
-        surfaces_.surfaces.push_back({{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, true, false});
+        surfaces_.surfaces.resize(objects, {{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, true, false});
     }
 
     // Counts of sample s of pixel (x, y) at (y width + x) samples + s.

@@ -113,6 +113,24 @@ TEST(GltfFiles, TriangleCountsAreThoseOfTheTable)
     RecordProperty("refused", static_cast<int>(refused));
 }
 
+TEST(GltfFiles, TheTeaTableIsDrawnWhole)
+{
+    const std::string path = std::string(SHEER_SOURCE_DIR) + "/scenes/tea_table.glb";
+    const Scene scene = read_gltf(path);
+    expect_sound(scene);
+    EXPECT_TRUE(scene.ignored.empty());
+    EXPECT_EQ(scene.cameras.size(), 1u);
+    const auto uses = [&](AlphaMode mode) {
+        return std::count_if(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+            return scene.materials[scene.meshes[object.mesh].material].alpha_mode == mode;
+        });
+    };
+    EXPECT_GT(uses(AlphaMode::opaque), 0);
+    EXPECT_GT(uses(AlphaMode::mask), 0);
+    EXPECT_GT(uses(AlphaMode::blend), 0);
+    EXPECT_LT(fs::file_size(path), 300000u);
+}
+
 TEST(GltfFiles, BrokenFilesLoadOrAreRefused)
 {
     const fs::path folder = scenes_folder();
