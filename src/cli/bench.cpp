@@ -14,7 +14,9 @@
 #include "cli/values.h"
 #include "cli/view_options.h"
 #include "methods/method.h"
+#include "support/memory.h"
 #include "support/progress.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -75,6 +77,7 @@ Turns take_turns(const Scene& scene, const BenchRequest& request, const Contende
         for (std::size_t i = 0; i < contenders.methods.size(); ++i) {
             Options options = request.given.options;
             options.method = contenders.methods[i];
+            reset_peak_memory();
             Stats stats = render(scene, request.given.view, options).stats;
             if (round >= 0) turns.measurements[i].rounds.push_back(std::move(stats));
             turns.measurements[i].shown = i < contenders.shown;

@@ -2,6 +2,7 @@
 #include "cli/stats_json.h"
 
 #include "cli/values.h"
+#include "support/text.h"
 
 namespace sheer {
 

@@ -5,6 +5,8 @@
 
 #include <sheer/image.h>
 
+#include "support/text.h"
+
 namespace sheer {
 
 namespace {
@@ -27,17 +29,6 @@ std::vector<float> parse_floats(const std::string& option, const std::string& te
 }
 
 }  // namespace
-
-std::vector<std::string> split(const std::string& text, char separator)
-{
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-        end = text.find(separator, begin);
-        parts.push_back(text.substr(begin, end - begin));
-    }
-    return parts;
-}
 
 float parse_float(const std::string& option, const std::string& text)
 {

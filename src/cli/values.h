@@ -19,8 +19,6 @@ struct Size {
     int width, height;
 };
 
-std::vector<std::string> split(const std::string& text, char separator);
-
 // All of them finite.
 float parse_float(const std::string& option, const std::string& text);
 Float3 parse_point(const std::string& option, const std::string& text);

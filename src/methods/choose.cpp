@@ -5,21 +5,11 @@
 #include <sheer/error.h>
 
 #include "methods/method.h"
+#include "support/text.h"
 
 namespace sheer {
 
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator)
-{
-    std::vector<std::string_view> parts;
-    for (;;) {
-        const std::size_t end = text.find(separator);
-        parts.push_back(text.substr(0, end));
-        if (end == std::string_view::npos) return parts;
-        text.remove_prefix(end + 1);
-    }
-}
 
 std::string quoted(std::string_view text)
 {
@@ -86,7 +76,7 @@ ChosenMethod choose_method(std::string_view text)
         if (equals == std::string_view::npos) {
             throw Error(Fault::input, "method: " + quoted(parts[i]) + " is not NAME=VALUE");
         }
-        const std::string_view value = parts[i].substr(equals + 1);
+        const std::string value = parts[i].substr(equals + 1);
         const std::size_t at = find_parameter(*chosen.row, parts[i].substr(0, equals));
         const Parameter& parameter = chosen.row->parameters[at];
         if (!allowed(parameter, value)) {

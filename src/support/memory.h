@@ -8,4 +8,7 @@ namespace sheer {
 // The largest resident size so far, of the whole process; 0 where the system does not tell.
 std::uint64_t peak_memory_bytes();
 
+// Lets peak_memory_bytes count from now on, where the system can (Linux).
+void reset_peak_memory();
+
 }  // namespace sheer

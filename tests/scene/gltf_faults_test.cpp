@@ -67,6 +67,8 @@ TEST(GltfFaults, Versions)
     };
     EXPECT_EQ(with_asset(R"({"version": "1.0"})"),
               "test.gltf: asset: glTF 1.0 is not supported, only glTF 2.0 is");
+    EXPECT_EQ(with_asset(R"({"version": 1})"),
+              "test.gltf: asset: glTF 1.0 is not supported, only glTF 2.0 is");
     EXPECT_EQ(with_asset("{}"), "test.gltf: asset: glTF 1.0 is not supported, only glTF 2.0 is");
     EXPECT_EQ(with_asset(R"({"version": "2.1"})"), "");
     EXPECT_EQ(with_asset(R"({"version": "2.1", "minVersion": "2.1"})"),

@@ -9,19 +9,10 @@
 
 #include <sheer/error.h>
 
+#include "support/text.h"
+
 namespace sheer {
 namespace {
-
-std::vector<std::string> split(const std::string& text, char separator)
-{
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-        end = text.find(separator, begin);
-        parts.push_back(text.substr(begin, end - begin));
-    }
-    return parts;
-}
 
 std::string shortest(double value)
 {

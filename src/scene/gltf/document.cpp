@@ -134,8 +134,9 @@ void check_asset(const Document& document)
 {
     const Value asset = document.root().member("asset");
     const auto declared = asset.find("version");
-    // The first version allowed an asset without a version, which then meant 1.0.
-    const Version version = declared ? read_version(*declared) : Version{1, 0};
+    // In the first version this could be missing or a number.
+    const bool is_first = !declared || (declared->is_number() && declared->number() < 2);
+    const Version version = is_first ? Version{1, 0} : read_version(*declared);
     if (version.major != 2) {
         asset.fail("glTF " + std::to_string(version.major) + "." + std::to_string(version.minor) +
                    " is not supported, only glTF 2.0 is");

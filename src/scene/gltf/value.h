@@ -33,6 +33,7 @@ public:
     std::size_t size() const;
     Value operator[](std::size_t i) const;
 
+    bool is_number() const { return json_->is_number(); }
     double number() const;        // finite: JSON has no other
     std::uint64_t whole() const;  // in [0, 2^53]: a sum of two, or a product with 1024, fits
     const std::string& text() const;

@@ -1,0 +1,22 @@
+// Small things about text.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sheer {
+
+// The parts between separators: one more than there are separators, empty ones included.
+inline std::vector<std::string> split(std::string_view text, char separator)
+{
+    std::vector<std::string> parts;
+    for (;;) {
+        const std::size_t end = text.find(separator);
+        parts.emplace_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+}  // namespace sheer
