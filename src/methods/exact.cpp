@@ -44,29 +44,23 @@ struct LayerRun {
     std::uint32_t primitive;
 };
 
-// A layer of the pixel at hand, with its place in the order.
-struct Sorted {
-    std::uint64_t key;  // (depth at its first sample, primitive), order-preserving
+// A layer of the pixel at hand.
+struct Placed {
     const Layer* layer;
     const LayerRun* run;
 };
 
-inline bool nearer(const Sorted& a, const Sorted& b)
-{
-    return a.key < b.key;
-}
-
 // The same at one sample.
-struct PreciselySorted {
+struct PreciselyPlaced {
     double depth;
     std::uint32_t primitive;
     const Layer* layer;
-};
 
-inline bool nearer(const PreciselySorted& a, const PreciselySorted& b)
-{
-    return a.depth < b.depth || (a.depth == b.depth && a.primitive < b.primitive);
-}
+    bool operator<(const PreciselyPlaced& b) const
+    {
+        return depth < b.depth || (depth == b.depth && primitive < b.primitive);
+    }
+};
 
 // Floats in the order of unsigned integers.
 inline std::uint64_t ordered_bits(float x)
@@ -75,13 +69,12 @@ inline std::uint64_t ordered_bits(float x)
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
+// The first `size` items are sorted; puts another one among them.
 template <class Item>
-void insert_sorted(std::vector<Item>& sorted, const Item& item)
+HWY_INLINE void insert_sorted(Item* items, std::size_t size, const Item& item)
 {
-    sorted.push_back(item);
-    std::size_t to = sorted.size() - 1;
-    for (; to > 0 && nearer(item, sorted[to - 1]); --to) sorted[to] = sorted[to - 1];
-    sorted[to] = item;
+    for (; size > 0 && item < items[size - 1]; --size) items[size] = items[size - 1];
+    items[size] = item;
 }
 
 // A Composite in memory, lane by lane.
@@ -140,12 +133,13 @@ struct ExactStore {
     std::vector<LayerRun> runs;
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
     std::vector<Layer> by_pixel;
-    std::vector<Sorted> order;
+    std::vector<std::uint64_t> keys;  // of the pixel at hand
+    std::vector<Placed> order;        // its layers, near to far
     // Of its samples s, s + 1, ...: a value a lane, layer after layer.
     std::vector<float> nearest;   // the least that depth may be
     std::vector<float> furthest;  // the most that depth may be up to here
     std::vector<std::uint32_t> doubt;
-    std::vector<PreciselySorted> sample_order;  // of one sample
+    std::vector<PreciselyPlaced> sample_order;  // of one sample
 
     explicit ExactStore(const StoreShape& shape) : set(*shape.samples) {}
 
@@ -206,30 +200,39 @@ struct ExactStore {
         first[0] = 0;
     }
 
+    // By depth at the first sample that each layer covers, and then as they came: find_doubts sees
+    // to it that this is only where it begins.
     void sort_layers(std::size_t pixel)
     {
-        order.clear();
-        const bool few = first[pixel + 1] - first[pixel] <= kInsertionSortMost;
-        for (std::uint32_t i = first[pixel]; i < first[pixel + 1]; ++i) {
-            if (i + kRunsAhead < layers.size()) hwy::Prefetch(&runs[by_pixel[i + kRunsAhead].run]);
-            const Layer& layer = by_pixel[i];
-            const LayerRun& run = runs[layer.run];
+        const Layer* begin = by_pixel.data() + first[pixel];
+        const std::size_t size = first[pixel + 1] - first[pixel];
+        keys.resize(size);
+        order.resize(size);
+        for (std::size_t i = 0; i < size; ++i) {
+            // The next pixel's too: they follow these.
+            if (begin + i + kRunsAhead < by_pixel.data() + layers.size()) {
+                hwy::Prefetch(&runs[begin[i + kRunsAhead].run]);
+            }
+            const Layer& layer = begin[i];
+            const DepthPlane& plane = runs[layer.run].depth;
             const auto s = static_cast<std::size_t>(std::countr_zero(layer.bits()));
-            const float offset = set.offset_x[s] * run.depth.dx + set.offset_y[s] * run.depth.dy;
-            const float depth = std::clamp(layer.depth + offset, run.depth.least, run.depth.most);
-            const Sorted item{ordered_bits(depth) << 32 | run.primitive, &layer, &run};
-            if (few) {
-                insert_sorted(order, item);
+            const float offset = set.offset_x[s] * plane.dx + set.offset_y[s] * plane.dy;
+            const float depth = std::clamp(layer.depth + offset, plane.least, plane.most);
+            const std::uint64_t key = ordered_bits(depth) << 32 | i;
+            if (size <= kInsertionSortMost) {
+                insert_sorted(keys.data(), i, key);
             } else {
-                order.push_back(item);
+                keys[i] = key;
             }
         }
-        if (!few)
-            std::sort(order.begin(), order.end(),
-                      [](const Sorted& a, const Sorted& b) { return nearer(a, b); });
+        if (size > kInsertionSortMost) std::sort(keys.begin(), keys.end());
+        for (std::size_t i = 0; i < size; ++i) {
+            const Layer& layer = begin[keys[i] & 0xffffffffu];
+            order[i] = {&layer, &runs[layer.run]};
+        }
     }
-    static constexpr std::size_t kInsertionSortMost = 32;
-    static constexpr std::uint32_t kRunsAhead = 8;
+    static constexpr std::size_t kInsertionSortMost = 24;
+    static constexpr std::ptrdiff_t kRunsAhead = 8;
 
     // doubt[i]: lanes (bits) at which one of the layers up to i may be behind one of those after i.
     HWY_INLINE void find_doubts(std::size_t s)
@@ -241,7 +244,7 @@ struct ExactStore {
         doubt.resize(size);
         real so_far = real(0.0f) - infinity;
         for (std::size_t i = 0; i < size; ++i) {
-            const Sorted& item = order[i];
+            const Placed& item = order[i];
             const mask here = covers(*item.layer, s);
             const real depth = sample_depth<L>(item.run->depth, set, item.layer->depth, s);
             const real slack(item.run->depth.slack);
@@ -285,18 +288,20 @@ struct ExactStore {
     void add_sorted(std::size_t begin, std::size_t end, std::size_t s, std::size_t lane,
                     const CompositeLanes& from, CompositeLanes& to)
     {
-        sample_order.clear();
+        if (sample_order.size() < end - begin) sample_order.resize(end - begin);
+        std::size_t size = 0;
         for (std::size_t i = begin; i < end; ++i) {
             const Layer& layer = *order[i].layer;
             if ((layer.bits() >> (s + lane) & 1) == 0) continue;
             const LayerRun& run = *order[i].run;
-            insert_sorted(sample_order, {precise_depth(run.depth, set, layer.pixel, s + lane),
-                                         run.primitive, &layer});
+            insert_sorted(
+                sample_order.data(), size++,
+                {precise_depth(run.depth, set, layer.pixel, s + lane), run.primitive, &layer});
         }
         float red = from.red[lane], green = from.green[lane], blue = from.blue[lane];
         float transmittance = from.transmittance[lane];
-        for (const PreciselySorted& item : sample_order) {
-            const Layer& layer = *item.layer;
+        for (std::size_t i = 0; i < size; ++i) {
+            const Layer& layer = *sample_order[i].layer;
             const float weight = transmittance * layer.opacity;
             red = red + weight * layer.red;
             green = green + weight * layer.green;
