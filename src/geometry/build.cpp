@@ -3,6 +3,7 @@
 #include "geometry/build.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "geometry/bins.h"
@@ -72,29 +73,41 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
     chunk.triangles.push_back(t);
 }
 
-Attributes mix(const Context& context, const std::uint32_t (&vertices)[3],
+// A triangle of the scene: its posed vertices and where their attributes are.
+struct SourceTriangle {
+    Corner corners[3];
+    std::uint32_t primitive;
+    std::size_t object;
+};
+
+const Attributes& attributes_of(const Context& context, const TriangleChunk& chunk,
+                                std::uint32_t vertex)
+{
+    return (vertex & kOwnVertex) != 0 ? chunk.own[vertex & ~kOwnVertex]
+                                      : context.posed.attributes[vertex];
+}
+
+Attributes mix(const Context& context, const SourceTriangle& t, const TriangleChunk& chunk,
                const std::array<float, 3>& weight)
 {
     Attributes mixed{{0, 0, 0}, {0, 0, 0, 0}};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Attributes& a = context.posed.attributes[vertices[i]];
+        const Attributes& a = attributes_of(context, chunk, t.corners[i].vertex);
         for (std::size_t c = 0; c < 3; ++c) mixed.normal[c] += weight[i] * a.normal[c];
         for (std::size_t c = 0; c < 4; ++c) mixed.color[c] += weight[i] * a.color[c];
     }
     return mixed;
 }
 
-void add_clipped(const Context& context, const std::uint32_t (&vertices)[3],
-                 std::uint32_t primitive, std::size_t object, TriangleChunk& chunk)
+void add_clipped(const Context& context, const SourceTriangle& t, TriangleChunk& chunk)
 {
-    const std::vector<PosedVertex>& posed = context.posed.vertices;
     const ClippedPolygon polygon =
-        clip_triangle(posed[vertices[0]], posed[vertices[1]], posed[vertices[2]], context.map);
+        clip_triangle(*t.corners[0].posed, *t.corners[1].posed, *t.corners[2].posed, context.map);
     if (polygon.count == 0) return;
-    const auto first = static_cast<std::uint32_t>(chunk.clipped.size()) | kClippedVertex;
+    const auto first = static_cast<std::uint32_t>(chunk.own.size()) | kOwnVertex;
     for (int i = 0; i < polygon.count; ++i) {
-        chunk.clipped.push_back(
-            mix(context, vertices, polygon.vertices[static_cast<std::size_t>(i)].weight));
+        const auto& weight = polygon.vertices[static_cast<std::size_t>(i)].weight;
+        chunk.own.push_back(mix(context, t, chunk, weight));
     }
     for (int i = 2; i < polygon.count; ++i) {
         const auto at = [&](int k) {
@@ -102,7 +115,38 @@ void add_clipped(const Context& context, const std::uint32_t (&vertices)[3],
                           first + static_cast<std::uint32_t>(k)};
         };
         const Corner corners[3] = {at(0), at(i - 1), at(i)};
-        add_triangle(context, corners, primitive, object, chunk);
+        add_triangle(context, corners, t.primitive, t.object, chunk);
+    }
+}
+
+// Of length 1 whatever the triangle's size; zero where it has none.
+Float3 flat_normal(const Float3& p0, const Float3& p1, const Float3& p2)
+{
+    double a[3], b[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        a[i] = static_cast<double>(p1[i]) - static_cast<double>(p0[i]);
+        b[i] = static_cast<double>(p2[i]) - static_cast<double>(p0[i]);
+    }
+    const double n[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                         a[0] * b[1] - a[1] * b[0]};
+    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    if (!(length > 0)) return {0, 0, 0};
+    return {static_cast<float>(n[0] / length), static_cast<float>(n[1] / length),
+            static_cast<float>(n[2] / length)};
+}
+
+// glTF 2.0, 3.7.2.1: without normals, flat ones.
+void make_flat(const Context& context, const Mesh& mesh, std::size_t triangle, SourceTriangle& t,
+               TriangleChunk& chunk)
+{
+    const std::uint32_t* indices = &mesh.indices[3 * triangle];
+    const Float3 normal = context.posed.normal_to_world[t.object](flat_normal(
+        mesh.positions[indices[0]], mesh.positions[indices[1]], mesh.positions[indices[2]]));
+    for (Corner& corner : t.corners) {
+        Attributes own = context.posed.attributes[corner.vertex];
+        own.normal = normal;
+        corner.vertex = static_cast<std::uint32_t>(chunk.own.size()) | kOwnVertex;
+        chunk.own.push_back(own);
     }
 }
 
@@ -110,24 +154,27 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
 {
     const Scene& scene = context.job.scene;
     const Mesh& mesh = scene.meshes[scene.objects[piece.object].mesh];
+    const bool flat = mesh.normals.empty() && !scene.materials[mesh.material].unlit;
     const std::uint32_t first_vertex = context.posed.first_vertex[piece.object];
-    const std::vector<PosedVertex>& posed = context.posed.vertices;
+    const std::uint32_t first_primitive = context.posed.first_primitive[piece.object];
     chunk.triangles.reserve(piece.end - piece.begin);
     for (std::size_t i = piece.begin; i < piece.end; ++i) {
-        const std::uint32_t vertices[3] = {first_vertex + mesh.indices[3 * i],
-                                           first_vertex + mesh.indices[3 * i + 1],
-                                           first_vertex + mesh.indices[3 * i + 2]};
-        const PosedVertex &v0 = posed[vertices[0]], &v1 = posed[vertices[1]],
-                          &v2 = posed[vertices[2]];
-        if ((v0.outside & v1.outside & v2.outside) != 0) continue;
-        const std::uint32_t primitive =
-            context.posed.first_primitive[piece.object] + static_cast<std::uint32_t>(i);
-        if ((v0.outside | v1.outside | v2.outside) != 0) {
-            add_clipped(context, vertices, primitive, piece.object, chunk);
-            continue;
+        SourceTriangle t;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const std::uint32_t vertex = first_vertex + mesh.indices[3 * i + k];
+            t.corners[k] = {&context.posed.vertices[vertex], vertex};
         }
-        const Corner corners[3] = {{&v0, vertices[0]}, {&v1, vertices[1]}, {&v2, vertices[2]}};
-        add_triangle(context, corners, primitive, piece.object, chunk);
+        const std::uint32_t outside[3] = {t.corners[0].posed->outside, t.corners[1].posed->outside,
+                                          t.corners[2].posed->outside};
+        if ((outside[0] & outside[1] & outside[2]) != 0) continue;
+        t.primitive = first_primitive + static_cast<std::uint32_t>(i);
+        t.object = piece.object;
+        if (flat) make_flat(context, mesh, i, t, chunk);
+        if ((outside[0] | outside[1] | outside[2]) != 0) {
+            add_clipped(context, t, chunk);
+        } else {
+            add_triangle(context, t.corners, t.primitive, t.object, chunk);
+        }
     }
 }
 

@@ -67,7 +67,7 @@ Matrix to_view(const Projection& projection, const Matrix& object)
 
 struct ObjectPose {
     float position[3][4];  // to view space, x and y scaled to the screen
-    float normal[3][3];    // to world space
+    NormalMatrix normal;
     bool mirrored;
 };
 
@@ -94,8 +94,9 @@ ObjectPose pose_object(const Object& object, const Projection& projection, const
     }
     const double to_unit = largest > 0 ? (pose.mirrored ? -1.0 : 1.0) / largest : 0.0;
     for (int r = 0; r < 3; ++r) {
-        for (int c = 0; c < 3; ++c)
-            pose.normal[r][c] = static_cast<float>(cofactor[r][c] * to_unit);
+        for (int c = 0; c < 3; ++c) {
+            pose.normal.m[r][c] = static_cast<float>(cofactor[r][c] * to_unit);
+        }
     }
     return pose;
 }
@@ -112,11 +113,7 @@ void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, 
         }
         vertices[i] = pose_vertex(v[0], v[1], -v[2], map);
         Attributes& a = attributes[i];
-        const Float3 n = mesh.normals.empty() ? Float3{0, 0, 0} : mesh.normals[i];
-        for (std::size_t r = 0; r < 3; ++r) {
-            const float* m = pose.normal[r];
-            a.normal[r] = m[0] * n[0] + m[1] * n[1] + m[2] * n[2];
-        }
+        a.normal = mesh.normals.empty() ? Float3{0, 0, 0} : pose.normal(mesh.normals[i]);
         a.color = mesh.colors.empty() ? Float4{1, 1, 1, 1} : mesh.colors[i];
     }
 }
@@ -193,12 +190,13 @@ PosedScene pose_scene(const Scene& scene, const Projection& projection, const Sc
         const std::size_t count = scene.meshes[scene.objects[i].mesh].positions.size();
         posed.first_vertex.push_back(static_cast<std::uint32_t>(total));
         poses.push_back(pose_object(scene.objects[i], projection, map));
+        posed.normal_to_world.push_back(poses.back().normal);
         posed.mirrored.push_back(poses.back().mirrored);
         for (std::size_t begin = 0; begin < count; begin += kVerticesAtOnce) {
             ranges.push_back({i, begin, std::min(count, begin + kVerticesAtOnce)});
         }
         total += count;
-        if (total >= kClippedVertex) {
+        if (total >= kOwnVertex) {
             throw Error(Fault::input, "the scene has more than 2,147,483,647 vertices");
         }
     }

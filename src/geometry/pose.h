@@ -53,11 +53,26 @@ PosedVertex pose_vertex(float x, float y, float distance, const ScreenMap& map);
 // Fills in screen_x, screen_y and depth from the rest, for a vertex inside all planes.
 void snap_vertex(PosedVertex& v, const ScreenMap& map);
 
+// Turns normals of an object to world space, up to length.
+struct NormalMatrix {
+    float m[3][3];
+
+    Float3 operator()(const Float3& n) const
+    {
+        Float3 r;
+        for (std::size_t i = 0; i < 3; ++i) {
+            r[i] = m[i][0] * n[0] + m[i][1] * n[1] + m[i][2] * n[2];
+        }
+        return r;
+    }
+};
+
 struct PosedScene {
     std::vector<PosedVertex> vertices;
     std::vector<Attributes> attributes;          // of the same vertices
     std::vector<std::uint32_t> first_vertex;     // of each object
     std::vector<std::uint32_t> first_primitive;  // of each object: primitive ids follow Object::id
+    std::vector<NormalMatrix> normal_to_world;   // of each object
     std::vector<bool> mirrored;                  // objects whose transform turns the winding round
 };
 

@@ -41,15 +41,15 @@ struct SampleExtent {
 // Triangles in their order of submission, cut into chunks that were made independently.
 struct TriangleChunk {
     std::vector<Triangle> triangles;
-    std::vector<Attributes> clipped;  // of vertices that clipping made
+    std::vector<Attributes> own;  // of vertices that clipping made, and of flat triangles
     // Triangles that touch tile t: tile_triangles[tile_begin[t] .. tile_begin[t + 1]), in order.
     std::vector<std::uint32_t> tile_begin;
     std::vector<std::uint32_t> tile_triangles;
 };
 
-// High bit of Triangle::vertex: an index into its chunk's `clipped`; else into
+// High bit of Triangle::vertex: an index into its chunk's `own`; else into
 // Geometry::attributes.
-inline constexpr std::uint32_t kClippedVertex = 0x80000000u;
+inline constexpr std::uint32_t kOwnVertex = 0x80000000u;
 
 struct Geometry {
     std::vector<Attributes> attributes;
@@ -59,8 +59,7 @@ struct Geometry {
 
     const Attributes& attributes_of(const TriangleChunk& chunk, std::uint32_t vertex) const
     {
-        return (vertex & kClippedVertex) != 0 ? chunk.clipped[vertex & ~kClippedVertex]
-                                              : attributes[vertex];
+        return (vertex & kOwnVertex) != 0 ? chunk.own[vertex & ~kOwnVertex] : attributes[vertex];
     }
 };
 

@@ -18,8 +18,8 @@ namespace sheer::reference {
 // One fragment as one sample sees it.
 struct Fragment {
     double depth = 0;
-    double opacity = 0;             // in [0, 1]
-    double color[3] = {0, 0, 0};    // straight, linear
+    double opacity = 0;           // in [0, 1]
+    double color[3] = {0, 0, 0};  // straight, linear
     std::uint32_t id = 0;
 };
 

@@ -73,15 +73,15 @@ double light(const Scene& scene, const Direction& n, std::size_t channel)
 void set_presence(Surface& surface, const Material& material)
 {
     switch (material.alpha_mode) {
-    case AlphaMode::opaque: surface.presence = Presence::opaque; break;
-    case AlphaMode::mask:
-        surface.presence =
-            surface.opacity >= material.alpha_cutoff ? Presence::opaque : Presence::absent;
-        surface.at_cutoff = std::abs(surface.opacity - material.alpha_cutoff) < kCutoffRounding;
-        break;
-    case AlphaMode::blend:
-        surface.presence = surface.opacity > 0 ? Presence::transparent : Presence::absent;
-        break;
+        case AlphaMode::opaque: surface.presence = Presence::opaque; break;
+        case AlphaMode::mask:
+            surface.presence =
+                surface.opacity >= material.alpha_cutoff ? Presence::opaque : Presence::absent;
+            surface.at_cutoff = std::abs(surface.opacity - material.alpha_cutoff) < kCutoffRounding;
+            break;
+        case AlphaMode::blend:
+            surface.presence = surface.opacity > 0 ? Presence::transparent : Presence::absent;
+            break;
     }
     if (material.alpha_mode != AlphaMode::blend) {
         surface.opacity = 1;
