@@ -136,6 +136,8 @@ struct Lanes {
 
     static HWY_INLINE whole iota() { return hn::Iota(I(), 0); }
     static HWY_INLINE real to_real(whole a) { return hn::ConvertTo(F(), a.v); }
+    // Towards zero.
+    static HWY_INLINE whole to_whole(real a) { return hn::ConvertTo(I(), a.v); }
     static HWY_INLINE real select(mask m, real a, real b) { return hn::IfThenElse(m.m, a.v, b.v); }
     static HWY_INLINE whole select(mask m, whole a, whole b)
     {

@@ -68,6 +68,7 @@ inline bool make_region_edges(const Triangle& t, const PixelRect& region, Region
 // Edge functions at samples relative to those at their pixel's corner.
 struct SampleSteps {
     alignas(64) std::int32_t at[3][kMaxSamples];
+    std::int32_t most[3];  // no less than the greatest
 };
 
 inline void make_sample_steps(const RegionEdges& edges, const SampleSet& set, SampleSteps& steps)
@@ -77,6 +78,9 @@ inline void make_sample_steps(const RegionEdges& edges, const SampleSet& set, Sa
         for (int s = 0; s < count; ++s) {
             steps.at[e][s] = edges.step_x[e] * set.x[s] + edges.step_y[e] * set.y[s];
         }
+        const SampleExtent& extent = set.extent;
+        steps.most[e] = edges.step_x[e] * (edges.step_x[e] > 0 ? extent.x_max : extent.x_min) +
+                        edges.step_y[e] * (edges.step_y[e] > 0 ? extent.y_max : extent.y_min);
     }
 }
 
@@ -94,6 +98,81 @@ inline void cover_all(const SampleSet& set, const PixelRect& local, CoverageList
     }
 }
 
+// Pixels that a triangle may cover, and its edge functions at their corners.
+struct Candidates {
+    static constexpr int kMost = kTilePixels + Block::kCount;
+    int count = 0;
+    alignas(64) std::uint32_t pixel[kMost];
+    alignas(64) std::int32_t edge[3][kMost];
+};
+
+// Rows first, first + 1, ... of the region: from which column to which a sample may be inside, by
+// floats, so with a little to spare on both sides.
+HWY_INLINE void find_spans(const RegionEdges& edges, const SampleSteps& steps, int first, int width,
+                           std::int32_t* from, std::int32_t* to)
+{
+    using real = Block::real;
+    using whole = Block::whole;
+    const whole row = Block::iota() + whole(first);
+    real lower(0.0f), upper(static_cast<float>(width - 1));
+    for (int e = 0; e < 3; ++e) {
+        const real best =
+            Block::to_real(whole(static_cast<std::int32_t>(edges.corner[e])) +
+                           row * whole(edges.step_y[e] * kSubpixels) + whole(steps.most[e]));
+        if (edges.step_x[e] == 0) {
+            upper = Block::select(best < real(0.0f), real(-1.0f), upper);
+            continue;
+        }
+        const real zero_at = best * real(-1.0f / static_cast<float>(edges.step_x[e] * kSubpixels));
+        if (edges.step_x[e] > 0) {
+            lower = Block::max(lower, zero_at);
+        } else {
+            upper = Block::min(upper, zero_at);
+        }
+    }
+    // Quotients within a tile err by less than 1e-4 of a pixel.
+    const real spare(0.01f);
+    lower = Block::min(lower - spare + real(1.0f), real(static_cast<float>(width)));
+    upper = Block::max(upper + spare, real(-1.0f));
+    Block::to_whole(Block::max(lower, real(0.0f))).store(from);
+    Block::select(upper < real(0.0f), whole(-1), Block::to_whole(upper)).store(to);
+}
+
+HWY_INLINE void find_candidates(const RegionEdges& edges, const SampleSteps& steps,
+                                const PixelRect& local, Candidates& candidates)
+{
+    using whole = Block::whole;
+    const int width = local.x1 - local.x0, height = local.y1 - local.y0;
+    alignas(64) std::int32_t from[Block::kCount], to[Block::kCount];
+    int count = 0;
+    for (int y = 0; y < height; ++y) {
+        const int lane = y % Block::kCount;
+        if (lane == 0) find_spans(edges, steps, y, width, from, to);
+        const int row_start = (local.y0 + y) * kTileSize + local.x0;
+        for (int x = from[lane]; x <= to[lane]; x += Block::kCount) {
+            (Block::iota() + whole(row_start + x)).store(candidates.pixel + count + x - from[lane]);
+        }
+        count += std::max(0, to[lane] - from[lane] + 1);
+    }
+    candidates.count = count;
+    for (int e = 0; e < 3; ++e) {
+        // Wraps around, and back.
+        const auto right = static_cast<std::uint32_t>(edges.step_x[e] * kSubpixels);
+        const auto down = static_cast<std::uint32_t>(edges.step_y[e] * kSubpixels);
+        const auto corner = static_cast<std::uint32_t>(edges.corner[e]) -
+                            right * static_cast<std::uint32_t>(local.x0) -
+                            down * static_cast<std::uint32_t>(local.y0);
+        for (int i = 0; i < count; i += Block::kCount) {
+            static_assert(kTileSize == 1 << 5);
+            const whole pixel = whole::load(candidates.pixel + i);
+            (whole(static_cast<std::int32_t>(corner)) +
+             (pixel & whole(kTileSize - 1)) * whole(static_cast<std::int32_t>(right)) +
+             pixel.shift_right<5>() * whole(static_cast<std::int32_t>(down)))
+                .store(candidates.edge[e] + i);
+        }
+    }
+}
+
 // Lanes over a pixel's samples, S = min(samples, 16).
 template <int S>
 void cover_by_samples(const RegionEdges& edges, const SampleSet& set, const PixelRect& local,
@@ -101,42 +180,29 @@ void cover_by_samples(const RegionEdges& edges, const SampleSet& set, const Pixe
 {
     using L = Lanes<S>;
     using whole = typename L::whole;
-    constexpr int kMostVectors = S < 16 ? S / L::kCount : kMaxSamples / L::kCount;
-    const int vectors = S < 16 ? kMostVectors : set.count / L::kCount;
+    const int vectors = S < 16 ? S / L::kCount : set.count / L::kCount;
     SampleSteps steps;
     make_sample_steps(edges, set, steps);
-    const int width = local.x1 - local.x0, height = local.y1 - local.y0;
-    const whole right[3] = {whole(edges.step_x[0] * kSubpixels),
-                            whole(edges.step_x[1] * kSubpixels),
-                            whole(edges.step_x[2] * kSubpixels)};
+    Candidates candidates;
+    find_candidates(edges, steps, local, candidates);
     const std::uint64_t all = set.all();
-    std::uint32_t corner[3] = {static_cast<std::uint32_t>(edges.corner[0]),
-                               static_cast<std::uint32_t>(edges.corner[1]),
-                               static_cast<std::uint32_t>(edges.corner[2])};
     int count = list.count;
-    for (int y = 0; y < height; ++y) {
-        whole at[3][kMostVectors];
-        for (int e = 0; e < 3; ++e) {
-            for (int v = 0; v < vectors; ++v) {
-                at[e][v] = whole(static_cast<std::int32_t>(corner[e])) +
-                           whole::load(&steps.at[e][v * L::kCount]);
-            }
-            corner[e] += static_cast<std::uint32_t>(edges.step_y[e] * kSubpixels);
+    for (int i = 0; i < candidates.count; ++i) {
+        const whole at[3] = {whole(candidates.edge[0][i]), whole(candidates.edge[1][i]),
+                             whole(candidates.edge[2][i])};
+        std::uint64_t outside = 0;
+        for (int v = 0; v < vectors; ++v) {
+            const int s = v * L::kCount;
+            const whole negative = (at[0] + whole::load(&steps.at[0][s])) |
+                                   (at[1] + whole::load(&steps.at[1][s])) |
+                                   (at[2] + whole::load(&steps.at[2][s]));
+            outside |= std::uint64_t{negative.sign_bits()} << s;
         }
-        auto pixel = static_cast<std::uint32_t>((local.y0 + y) * kTileSize + local.x0);
-        for (int x = 0; x < width; ++x, ++pixel) {
-            std::uint64_t outside = 0;
-            for (int v = 0; v < vectors; ++v) {
-                const whole negative = at[0][v] | at[1][v] | at[2][v];
-                outside |= std::uint64_t{negative.sign_bits()} << (v * L::kCount);
-                for (int e = 0; e < 3; ++e) at[e][v] = at[e][v] + right[e];
-            }
-            const std::uint64_t inside = ~outside & all;
-            list.pixel[count] = pixel;
-            list.low[count] = static_cast<std::uint32_t>(inside);
-            if constexpr (S == 16) list.high[count] = static_cast<std::uint32_t>(inside >> 32);
-            count += inside != 0 ? 1 : 0;
-        }
+        const std::uint64_t inside = ~outside & all;
+        list.pixel[count] = candidates.pixel[i];
+        list.low[count] = static_cast<std::uint32_t>(inside);
+        if constexpr (S == 16) list.high[count] = static_cast<std::uint32_t>(inside >> 32);
+        count += inside != 0 ? 1 : 0;
     }
     list.count = count;
 }
