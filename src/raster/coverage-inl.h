@@ -73,9 +73,9 @@ struct SampleSteps {
 
 inline void make_sample_steps(const RegionEdges& edges, const SampleSet& set, SampleSteps& steps)
 {
-    const int count = set.centered ? 1 : set.count;
+    const auto count = static_cast<std::size_t>(set.centered ? 1 : set.count);
     for (int e = 0; e < 3; ++e) {
-        for (int s = 0; s < count; ++s) {
+        for (std::size_t s = 0; s < count; ++s) {
             steps.at[e][s] = edges.step_x[e] * set.x[s] + edges.step_y[e] * set.y[s];
         }
         const SampleExtent& extent = set.extent;

@@ -48,7 +48,7 @@ struct FragmentStream {
     }
 
     void clear() { size = run_count = 0; }
-    std::uint64_t sample_bits(int i) const
+    std::uint64_t sample_bits(std::size_t i) const
     {
         return samples[i] | static_cast<std::uint64_t>(samples_high[i]) << 32;
     }

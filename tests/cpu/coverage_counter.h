@@ -58,8 +58,8 @@ private:
             for (int s = 0; s < self.set_.count; ++s) {
                 const auto at =
                     static_cast<std::size_t>((y * self.grid_.width + x) * self.set_.count + s);
-                self.counts_[at] =
-                    static_cast<std::uint8_t>(self.counts_[at] + (stream.sample_bits(i) >> s & 1));
+                self.counts_[at] = static_cast<std::uint8_t>(
+                    self.counts_[at] + (stream.sample_bits(static_cast<std::size_t>(i)) >> s & 1));
             }
         }
     }
