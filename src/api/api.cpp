@@ -12,7 +12,13 @@ Scene load(const std::string& source)
 {
     constexpr std::string_view kBuiltin = "builtin:";
     if (source.starts_with(kBuiltin)) return make_builtin(source.substr(kBuiltin.size()));
-    return read_gltf(source);
+    Scene scene = read_gltf(source);
+    try {
+        check_scene(scene);
+    } catch (const Error& error) {
+        throw Error(error.fault(), source + ": " + error.what());
+    }
+    return scene;
 }
 
 Frame render(const Scene& scene, const View& view, const Options& options)

@@ -1,6 +1,7 @@
 // Indices in range, numbers that are numbers.
 #include "api/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_set>
 
@@ -13,6 +14,19 @@ namespace {
 [[noreturn]] void refuse(const std::string& text)
 {
     throw Error(Fault::input, text);
+}
+
+template <class Values>
+bool are_finite(const Values& values)
+{
+    return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
+}
+
+// Far below what leaves the floats after the brightest exposure.
+template <class Values>
+bool are_colors(const Values& values)
+{
+    return std::all_of(values.begin(), values.end(), [](float v) { return v >= 0 && v <= 1e6f; });
 }
 
 void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
@@ -30,8 +44,26 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
         if (index >= mesh.positions.size()) refuse(name + ": an index is beyond its positions");
     }
     for (const Float3& p : mesh.positions) {
-        if (!std::isfinite(p[0] + p[1] + p[2])) refuse(name + ": a position is not finite");
+        if (!are_finite(p)) refuse(name + ": a position is not finite");
     }
+    for (const Float3& n : mesh.normals) {
+        if (!are_finite(n)) refuse(name + ": a normal is not finite");
+    }
+    for (const Float4& c : mesh.colors) {
+        if (!are_colors(c)) refuse(name + ": a colour is not between 0 and 1,000,000");
+    }
+}
+
+void check_material(const Material& material, std::size_t number)
+{
+    const std::string name = "material " + std::to_string(number);
+    if (!are_colors(material.base_color)) {
+        refuse(name + ": its colour is not between 0 and 1,000,000");
+    }
+    if (!(material.opacity >= 0 && material.opacity <= 1)) {
+        refuse(name + ": its opacity is not between 0 and 1");
+    }
+    if (!std::isfinite(material.alpha_cutoff)) refuse(name + ": its alpha cutoff is not finite");
 }
 
 }  // namespace
@@ -41,6 +73,15 @@ void check_scene(const Scene& scene)
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         check_mesh(scene.meshes[i], i, scene.materials.size());
     }
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene.materials[i], i);
+    if (!are_finite(scene.sun.to_light) || !are_colors(scene.sun.color) ||
+        !are_colors(scene.sky.up) || !are_colors(scene.sky.down)) {
+        refuse(
+            "the light: a direction that is not finite, or a colour not between 0 and 1,000,000");
+    }
+    if (scene.background && !are_colors(*scene.background)) {
+        refuse("the scene's background is not between 0 and 1,000,000");
+    }
     std::unordered_set<std::uint32_t> ids;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
@@ -49,9 +90,7 @@ void check_scene(const Scene& scene)
         if (!ids.insert(object.id).second) {
             refuse(name + ": its id " + std::to_string(object.id) + " is taken");
         }
-        for (const float m : object.transform) {
-            if (!std::isfinite(m)) refuse(name + ": its transform is not finite");
-        }
+        if (!are_finite(object.transform)) refuse(name + ": its transform is not finite");
     }
 }
 
@@ -74,9 +113,7 @@ void check_view(const View& view, const Options& options)
         refuse("threads: " + std::to_string(options.threads) + " is not between 1 and 4096");
     }
     if (view.background) {
-        for (const float c : *view.background) {
-            if (!std::isfinite(c) || c < 0) refuse("background: a number below 0 or none at all");
-        }
+        if (!are_colors(*view.background)) refuse("background: not between 0 and 1,000,000");
         if ((*view.background)[3] > 1) refuse("background: an alpha above 1");
     }
 }

@@ -2,7 +2,6 @@
 #include "cpu/frame.h"
 
 #include <algorithm>
-#include <atomic>
 #include <mutex>
 
 #include "cpu/filter.h"
@@ -126,15 +125,14 @@ public:
     void done_one()
     {
         if (!report_) return;
-        const int done = ++done_;
-        const std::unique_lock lock(mutex_, std::try_to_lock);
-        if (lock.owns_lock()) report_(static_cast<double>(done) / count_);
+        const std::lock_guard lock(mutex_);
+        report_(static_cast<double>(++done_) / count_);
     }
 
 private:
     const std::function<void(double)>& report_;
     const int count_;
-    std::atomic<int> done_ = 0;
+    int done_ = 0;
     std::mutex mutex_;
 };
 
@@ -162,10 +160,11 @@ Frame render_frame(const Scene& scene, const View& view, const Options& options)
     total.start();
     const ChosenMethod method = choose_method(options.method);
     const TargetSet targets = targets_of(options.simd);
-    const int threads = options.threads > 0 ? options.threads : hardware_threads();
     const SampleSet samples = make_sample_set(view.samples, view.positions);
     const SampleFilter filter(view.filter, samples);
     const TileGrid grid{view.width, view.height, filter.reach()};
+    const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+    const int threads = std::min(wanted, grid.count());
 
     geometry_time.start();
     const Projection projection = resolve_camera(scene, view);

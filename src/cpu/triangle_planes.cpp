@@ -2,6 +2,7 @@
 #include "cpu/triangle_planes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 namespace sheer {
@@ -41,6 +42,15 @@ void make_weight(const Edge& e, double inverse_area, WeightPlane& w)
     w.dy = static_cast<float>(down);
 }
 
+// In magnitude, of the terms that make the weight at the centre of a pixel that the triangle
+// covers: within half a pixel of it the weight is in [0, 1].
+double largest_weight(const WeightPlane& w, bool exact)
+{
+    const double step = static_cast<double>(std::abs(w.dx)) + static_cast<double>(std::abs(w.dy));
+    if (exact) return 1 + step * kSubpixels / 2;
+    return static_cast<double>(std::abs(w.base)) + step * kSubpixels * kTileSize;
+}
+
 }  // namespace
 
 void make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthographic,
@@ -71,7 +81,8 @@ void make_triangle_planes(const Triangle& t, const PixelRect& rect, bool orthogr
     const auto [least, most] = std::minmax({t.depth[0], t.depth[1], t.depth[2]});
     p.depth = {
         static_cast<float>(dx), static_cast<float>(dy), least, most, 0, at_first_center, dx, dy};
-    p.depth.slack = depth_slack(p.depth);
+    p.depth.slack = depth_slack(p.depth, std::abs(d1) * largest_weight(p.weight1, p.exact) +
+                                             std::abs(d2) * largest_weight(p.weight2, p.exact));
     p.affine = orthographic || least == most;
     for (int i = 0; i < 3; ++i) p.inverse_w[i] = -t.depth[i];
 }

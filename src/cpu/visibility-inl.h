@@ -8,6 +8,7 @@
 #endif
 
 #include <bit>
+#include <limits>
 
 #include "lanes/lanes-inl.h"
 #include "raster/opaque_tile.h"
@@ -68,7 +69,9 @@ HWY_INLINE Comparison<L> compare(const OpaqueTile& opaque, const SampleSet& set,
     const real other = real::load(opaque.depth.data() + at);
     const real slack = real(plane.slack) + real::load(opaque.slack.data() + at);
     const auto here = L::mask_of_bits(static_cast<std::uint32_t>(f.samples >> s));
-    const auto nearer = depth + slack < other, farther = other + slack < depth;
+    // In front of nothing there is no doubt, and no surface to compare with.
+    const auto empty = other == real(std::numeric_limits<float>::infinity());
+    const auto nearer = empty | (depth + slack < other), farther = other + slack < depth;
     return {depth, (here & nearer).bits(), (here & !(nearer | farther)).bits()};
 }
 

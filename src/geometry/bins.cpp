@@ -2,7 +2,10 @@
 #include "geometry/bins.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+
+#include <sheer/error.h>
 
 #include "geometry/screen_bounds.h"
 
@@ -51,6 +54,10 @@ void bin_triangles(TriangleChunk& chunk, const TileGrid& grid, const SampleExten
                 ++chunk.tile_begin[static_cast<std::size_t>(tile) + 1];
             }
         }
+    }
+    if (pairs.size() > std::numeric_limits<std::uint32_t>::max()) {
+        throw Error(Fault::input,
+                    "the scene's triangles cover too many tiles of so large a picture");
     }
     std::partial_sum(chunk.tile_begin.begin(), chunk.tile_begin.end(), chunk.tile_begin.begin());
     chunk.tile_triangles.resize(pairs.size());

@@ -36,15 +36,19 @@ struct Context {
     const PosedScene& posed;
 };
 
+std::int64_t twice_area(const PosedVertex& v0, const PosedVertex& v1, const PosedVertex& v2)
+{
+    return std::int64_t{v1.screen_x - v0.screen_x} * (v2.screen_y - v0.screen_y) -
+           std::int64_t{v2.screen_x - v0.screen_x} * (v1.screen_y - v0.screen_y);
+}
+
 // Culls what faces away or lies between the samples; turns the rest to positive area.
 void add_triangle(const Context& context, const Corner (&corners)[3], std::uint32_t primitive,
                   std::size_t object, TriangleChunk& chunk)
 {
     const Scene& scene = context.job.scene;
     const PosedVertex &v0 = *corners[0].posed, &v1 = *corners[1].posed, &v2 = *corners[2].posed;
-    const std::int64_t area =
-        std::int64_t{v1.screen_x - v0.screen_x} * (v2.screen_y - v0.screen_y) -
-        std::int64_t{v2.screen_x - v0.screen_x} * (v1.screen_y - v0.screen_y);
+    const std::int64_t area = twice_area(v0, v1, v2);
     if (area == 0) return;
     // Counter-clockwise with y up is clockwise with y down.
     const bool front = (area < 0) != context.posed.mirrored[object];
@@ -109,13 +113,21 @@ void add_clipped(const Context& context, const SourceTriangle& t, TriangleChunk&
         const auto& weight = polygon.vertices[static_cast<std::size_t>(i)].weight;
         chunk.own.push_back(mix(context, t, chunk, weight));
     }
+    const auto at = [&](int k) {
+        return Corner{&polygon.vertices[static_cast<std::size_t>(k)].posed,
+                      first + static_cast<std::uint32_t>(k)};
+    };
+    std::int64_t whole = 0;
     for (int i = 2; i < polygon.count; ++i) {
-        const auto at = [&](int k) {
-            return Corner{&polygon.vertices[static_cast<std::size_t>(k)].posed,
-                          first + static_cast<std::uint32_t>(k)};
-        };
+        whole += twice_area(*at(0).posed, *at(i - 1).posed, *at(i).posed);
+    }
+    for (int i = 2; i < polygon.count; ++i) {
         const Corner corners[3] = {at(0), at(i - 1), at(i)};
-        add_triangle(context, corners, t.primitive, t.object, chunk);
+        // Snapping may fold a sliver's corner over; the piece would face the other way.
+        const std::int64_t part = twice_area(*at(0).posed, *at(i - 1).posed, *at(i).posed);
+        if ((part < 0) == (whole < 0)) {
+            add_triangle(context, corners, t.primitive, t.object, chunk);
+        }
     }
 }
 
@@ -166,11 +178,12 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
         }
         const std::uint32_t outside[3] = {t.corners[0].posed->outside, t.corners[1].posed->outside,
                                           t.corners[2].posed->outside};
-        if ((outside[0] & outside[1] & outside[2]) != 0) continue;
+        const std::uint32_t crossed = outside[0] | outside[1] | outside[2];
+        if ((outside[0] & outside[1] & outside[2]) != 0 || (crossed & kNowhere) != 0) continue;
         t.primitive = first_primitive + static_cast<std::uint32_t>(i);
         t.object = piece.object;
         if (flat) make_flat(context, mesh, i, t, chunk);
-        if ((outside[0] | outside[1] | outside[2]) != 0) {
+        if (crossed != 0) {
             add_clipped(context, t, chunk);
         } else {
             add_triangle(context, t.corners, t.primitive, t.object, chunk);

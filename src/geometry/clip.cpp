@@ -32,6 +32,7 @@ double distance_to(Outside plane, const Vertex& v, const ScreenMap& map)
         case kRight: return limit_x - x;
         case kTop: return limit_y - y;
         case kBottom: return limit_y + y;
+        case kNowhere: break;
     }
     return 0;
 }

@@ -146,7 +146,8 @@ ScreenMap::ScreenMap(const Projection& projection, int width, int height)
       scale_y(static_cast<float>(projection.scale_y)),
       half_width(0.5f * kSubpixels * static_cast<float>(width)),
       half_height(0.5f * kSubpixels * static_cast<float>(height)),
-      near_depth(static_cast<float>(projection.znear)),
+      near_depth(orthographic ? static_cast<float>(projection.znear)
+                              : std::max(static_cast<float>(projection.znear), 1e-18f)),
       far_depth(projection.zfar > 0 ? static_cast<float>(projection.zfar)
                                     : std::numeric_limits<float>::infinity())
 {
@@ -155,6 +156,10 @@ ScreenMap::ScreenMap(const Projection& projection, int width, int height)
 PosedVertex pose_vertex(float x, float y, float distance, const ScreenMap& map)
 {
     PosedVertex v{x, y, map.orthographic ? 1.0f : distance, distance, 0, 0, 0, 0};
+    constexpr float kFurthest = 1e18f;  // products with what scales to the screen stay finite
+    const bool somewhere = -kFurthest < x && x < kFurthest && -kFurthest < y && y < kFurthest &&
+                           -kFurthest < distance && distance < kFurthest;
+    if (!somewhere) v.outside |= kNowhere;
     if (distance < map.near_depth) v.outside |= kNear;
     if (distance > map.far_depth) v.outside |= kFar;
     // Multiplied out, so that vertices behind the eye are sorted rightly too.
@@ -171,8 +176,10 @@ void snap_vertex(PosedVertex& v, const ScreenMap& map)
 {
     const float screen_x = v.x * map.half_width / v.w + map.half_width;
     const float screen_y = map.half_height - v.y * map.half_height / v.w;
-    v.screen_x = floor_to_int(screen_x + 0.5f);
-    v.screen_y = floor_to_int(screen_y + 0.5f);
+    // Clipping leaves it inside, but where the cut's own rounding is larger than the picture.
+    constexpr float kMost = 8388607.0f;  // 2^23 - 1
+    v.screen_x = floor_to_int(std::clamp(screen_x + 0.5f, -kMost, kMost));
+    v.screen_y = floor_to_int(std::clamp(screen_y + 0.5f, -kMost, kMost));
     v.depth = map.orthographic ? v.distance : -1.0f / v.distance;
 }
 

@@ -36,6 +36,7 @@ enum Outside : std::uint32_t {
     kRight = 8,
     kTop = 16,
     kBottom = 32,
+    kNowhere = 64,  // not finite, or so far out that products would not be: the triangle is dropped
 };
 
 struct PosedVertex {

@@ -270,7 +270,7 @@ struct ExactStore {
                 doubtful |= doubt[i];
                 const Layer& layer = *order[i].layer;
                 sum.add(layer, L::zero_unless(covers(layer, s), real(layer.opacity)));
-            } while (doubt[i++] != 0);
+            } while (doubt[i++] != 0 && i < order.size());
             if (doubtful == 0) continue;
             CompositeLanes from, to;
             before.store(from);
@@ -294,9 +294,17 @@ struct ExactStore {
             const Layer& layer = *order[i].layer;
             if ((layer.bits() >> (s + lane) & 1) == 0) continue;
             const LayerRun& run = *order[i].run;
-            insert_sorted(
-                sample_order.data(), size++,
-                {precise_depth(run.depth, set, layer.pixel, s + lane), run.primitive, &layer});
+            const PreciselyPlaced item{precise_depth(run.depth, set, layer.pixel, s + lane),
+                                       run.primitive, &layer};
+            if (end - begin <= kInsertionSortMost) {
+                insert_sorted(sample_order.data(), size, item);
+            } else {
+                sample_order[size] = item;
+            }
+            ++size;
+        }
+        if (end - begin > kInsertionSortMost) {
+            std::sort(sample_order.data(), sample_order.data() + size);
         }
         float red = from.red[lane], green = from.green[lane], blue = from.blue[lane];
         float transmittance = from.transmittance[lane];

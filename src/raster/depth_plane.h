@@ -23,13 +23,17 @@ struct DepthPlane {
     double precise_dx, precise_dy;
 };
 
-// Some eight roundings of terms no larger than the depths and the change of depth over a pixel; the
-// factor leaves four times that.
-inline float depth_slack(const DepthPlane& plane)
+// `terms`: the largest that the two vertices' shares in the depth at a pixel's centre get, in
+// magnitude; far more than the depth itself in slivers, whose weights leave [0, 1] there and
+// cancel. Some eight roundings of such terms, of the depths and of the change of depth over a
+// pixel; the factor leaves four times that.
+inline float depth_slack(const DepthPlane& plane, double terms)
 {
-    constexpr float kRoundings = 32.0f * 0x1p-24f;
+    constexpr double kRoundings = 32.0 * 0x1p-24;
     const float depth = std::max(std::abs(plane.least), std::abs(plane.most));
-    return kRoundings * (depth + std::abs(plane.dx) + std::abs(plane.dy));
+    const float change = std::abs(plane.dx) + std::abs(plane.dy);
+    return static_cast<float>(kRoundings *
+                              (static_cast<double>(depth) + static_cast<double>(change) + terms));
 }
 
 // Veltkamp's splitting: the nearest number of 53 - 21 bits.

@@ -63,7 +63,10 @@ Projection own_camera(const Scene& scene, const View& view)
     if (!finite(*view.target)) throw Error(Fault::input, "target: not finite");
     if (*view.eye == *view.target) throw Error(Fault::input, "eye: the same point as the target");
     const double fov = view.fov ? static_cast<double>(*view.fov) : kOwnFov;
-    if (!(fov > 0 && fov < 180)) throw Error(Fault::input, "fov: not between 0 and 180 degrees");
+    // Below it the snapped grid is finer than the scene's own floats.
+    if (!(fov >= 0.001 && fov < 180)) {
+        throw Error(Fault::input, "fov: not between 0.001 and 180 degrees");
+    }
     Vec3 eye, back;
     for (std::size_t i = 0; i < 3; ++i) {
         eye[i] = (*view.eye)[i];

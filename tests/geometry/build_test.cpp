@@ -116,6 +116,20 @@ TEST(Geometry, BackFacesShowOnlyWhereDoubleSided)
     EXPECT_EQ(mean_alpha(render(one_object(pyramid(), kMirrored, false), behind, {}).image), 0);
 }
 
+// Products that leave the floats, or are no numbers at all, draw nothing.
+TEST(Geometry, TrianglesOutOfReachAreDropped)
+{
+    for (const float scale : {1e20f, 1e30f, 3e38f}) {
+        const Mat4 huge = {scale, 0, 0, 0, 0, scale, 0, 0, 0, 0, scale, 0, 0, 0, scale, 1};
+        Scene scene = one_object(pyramid(), huge, true);
+        scene.meshes[0].positions[4] = {1e3f, -1e3f, 1e10f};
+        const Image image = render(scene, from_the_front(), {}).image;
+        for (const auto& pixel : image.pixels) {
+            for (const float c : pixel) EXPECT_TRUE(std::isfinite(c));
+        }
+    }
+}
+
 // A floor that runs behind the eye: clipped at the near plane, its lower half fills the picture.
 TEST(Geometry, ClippingKeepsWhatIsInFront)
 {

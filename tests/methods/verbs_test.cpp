@@ -35,7 +35,7 @@ std::vector<Plate> random_runs(int count, const SampleSet& set, std::mt19937& ra
                                : 1.0 + static_cast<double>(uniform(random));
         const double dx = flat ? 0.0 : static_cast<double>(uniform(random) - 0.5f) * 0.02;
         run.depth = {static_cast<float>(dx), 0, 0.5f, 3.0f, 0, at, dx, 0};
-        run.depth.slack = depth_slack(run.depth);
+        run.depth.slack = depth_slack(run.depth, 0);
         run.primitive = static_cast<std::uint32_t>(i);
         for (std::uint32_t p = 0; p < kUsedPixels; ++p) {
             const std::uint64_t bits = (std::uint64_t{random()} << 32 | random()) & set.all();

@@ -83,7 +83,7 @@ TEST(Camera, RefusesEyesThatCannotSee)
     view.target = Float3{0, 0, 0};
     for (const float fov : {0.0f, -1.0f, 180.0f, std::numeric_limits<float>::quiet_NaN()}) {
         view.fov = fov;
-        EXPECT_EQ(error_of(scene, view), "fov: not between 0 and 180 degrees");
+        EXPECT_EQ(error_of(scene, view), "fov: not between 0.001 and 180 degrees");
     }
     view.eye = Float3{std::numeric_limits<float>::infinity(), 0, 0};
     view.fov = 40.0f;
