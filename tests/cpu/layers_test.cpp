@@ -79,14 +79,16 @@ Image render_layers(const std::vector<Layer>& layers, const std::string& order, 
     return render(load(scene_name(layers, order)), view, options).image;
 }
 
+// Every number of layers on a picture within a tile, some on one of several.
 void check_layers(int samples, SamplePositions positions, Filter filter)
 {
     std::mt19937 random(static_cast<unsigned>(samples));
-    for (const int count : {1, 2, 3, 5, 8, 17, 33, 64}) {
+    for (int count = 1; count <= 64; ++count) {
+        const bool large = count % 21 == 1;
         const std::vector<Layer> layers = random_layers(count, random);
         View view;
-        view.width = 37;
-        view.height = 34;
+        view.width = large ? 37 : 3;
+        view.height = large ? 34 : 2;
         view.samples = samples;
         view.positions = positions;
         view.filter = filter;
