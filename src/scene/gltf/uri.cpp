@@ -47,12 +47,12 @@ std::string percent_decode(std::string_view text)
 
 std::array<std::int8_t, 256> make_base64_digits()
 {
-    constexpr std::string_view alphabet =
+    constexpr std::string_view kAlphabet =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::array<std::int8_t, 256> digits;
     digits.fill(kNotADigit);
-    for (std::size_t i = 0; i < alphabet.size(); ++i) {
-        digits[static_cast<unsigned char>(alphabet[i])] = static_cast<std::int8_t>(i);
+    for (std::size_t i = 0; i < kAlphabet.size(); ++i) {
+        digits[static_cast<unsigned char>(kAlphabet[i])] = static_cast<std::int8_t>(i);
     }
     return digits;
 }
