@@ -36,7 +36,6 @@ struct Lanes {
         friend HWY_INLINE mask operator|(mask a, mask b) { return {hn::Or(a.m, b.m)}; }
         friend HWY_INLINE mask operator!(mask a) { return {hn::Not(a.m)}; }
         HWY_INLINE bool any() const { return !hn::AllFalse(F(), m); }
-        HWY_INLINE bool all() const { return hn::AllTrue(F(), m); }
         // Lane i in bit i.
         HWY_INLINE std::uint32_t bits() const
         {
@@ -84,7 +83,6 @@ struct Lanes {
         friend HWY_INLINE whole operator*(whole a, whole b) { return hn::Mul(a.v, b.v); }
         friend HWY_INLINE whole operator&(whole a, whole b) { return hn::And(a.v, b.v); }
         friend HWY_INLINE whole operator|(whole a, whole b) { return hn::Or(a.v, b.v); }
-        friend HWY_INLINE whole operator~(whole a) { return hn::Not(a.v); }
         friend HWY_INLINE mask operator<(whole a, whole b)
         {
             return {hn::RebindMask(F(), hn::Lt(a.v, b.v))};
@@ -92,11 +90,6 @@ struct Lanes {
         friend HWY_INLINE mask operator==(whole a, whole b)
         {
             return {hn::RebindMask(F(), hn::Eq(a.v, b.v))};
-        }
-        template <int Bits>
-        HWY_INLINE whole shift_left() const
-        {
-            return hn::ShiftLeft<Bits>(v);
         }
         // Zeros come in from above.
         template <int Bits>
@@ -152,12 +145,6 @@ struct Lanes {
     {
         return hn::BitCast(I(), hn::GatherIndex(U(), base, index.v));
     }
-    static HWY_INLINE mask less_unsigned(whole a, whole b)
-    {
-        const whole sign(INT32_MIN);
-        return (a + sign) < (b + sign);
-    }
-    static HWY_INLINE mask first(int n) { return {hn::FirstN(F(), static_cast<std::size_t>(n))}; }
     // Lane i takes bit i of `bits`.
     static HWY_INLINE mask mask_of_bits(std::uint32_t bits)
     {
