@@ -85,7 +85,7 @@ public:
     }
     void insert(std::span<const Plate> runs)
     {
-        FragmentStream stream(kUsedPixels * static_cast<int>(runs.size()) + 1);
+        FragmentStream stream(static_cast<int>(kUsedPixels * runs.size() + 1));
         fill_stream(runs, stream);
         verbs_.insert(store_.get(), stream, 0);
     }
