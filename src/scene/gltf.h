@@ -5,7 +5,7 @@
 
 #include <sheer/scene.h>
 
-#include "scene/file.h"
+#include "support/read_file.h"
 
 namespace sheer {
 

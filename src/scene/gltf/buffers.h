@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "scene/file.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/notes.h"
+#include "support/read_file.h"
 
 namespace sheer::gltf {
 

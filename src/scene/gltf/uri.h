@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "scene/file.h"
 #include "scene/gltf/value.h"
+#include "support/read_file.h"
 
 namespace sheer::gltf {
 

@@ -2,7 +2,7 @@
 //
 // Every way this can fail gets its own words, since a path is what people get wrong most often.
 
-#include "scene/file.h"
+#include "support/read_file.h"
 
 #include <cerrno>
 #include <cstring>

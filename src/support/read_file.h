@@ -1,4 +1,4 @@
-// Files that a scene is read from.
+// Input files, read whole into memory.
 #pragma once
 
 #include <cstdint>
