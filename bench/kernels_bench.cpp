@@ -9,7 +9,7 @@
 
 #include <sheer/sheer.h>
 
-#include "cpu/tile_fragments.h"
+#include "cpu/tile_passes.h"
 #include "geometry/build.h"
 #include "methods/method.h"
 #include "scene/camera.h"
@@ -19,7 +19,6 @@ namespace sheer {
 namespace {
 
 constexpr int kPictureSize = 800;
-constexpr int kStreamFragments = 4096;  // as the pipeline's
 
 const Scene& motor()
 {
@@ -85,11 +84,13 @@ public:
         const auto fullest = std::max_element(triangles.begin(), triangles.end());
         tile_ = static_cast<int>(fullest - triangles.begin());
         draw({record, this});
+        record(this, stream_);
     }
 
     void draw(const FragmentConsumer& consumer)
     {
-        const TileJob job{&geometry_, &surfaces_, &set_, tile_, grid_.rect(tile_)};
+        const PixelRect rect = grid_.rect(tile_);
+        const TileJob job{&geometry_, &surfaces_, &set_, tile_, rect, rect};
         tile_fragments_for(targets())(job, scratch_, opaque_, stream_, consumer);
     }
 
@@ -98,11 +99,12 @@ public:
     std::uint64_t fragments() const { return fragments_; }
 
 private:
-    static void record(void* context, const FragmentStream& stream)
+    static bool record(void* context, const FragmentStream& stream)
     {
         auto& self = *static_cast<FullestTile*>(context);
         self.streams_.push_back(copy_of(stream));
         self.fragments_ += static_cast<std::uint64_t>(stream.size);
+        return true;
     }
 
     TileGrid grid_{kPictureSize, kPictureSize, 0};
@@ -136,7 +138,7 @@ void geometry(benchmark::State& state)
 void raster_and_shade(benchmark::State& state)
 {
     FullestTile tile(static_cast<int>(state.range(0)));
-    for (auto _ : state) tile.draw({[](void*, const FragmentStream&) {}, nullptr});
+    for (auto _ : state) tile.draw({[](void*, const FragmentStream&) { return true; }, nullptr});
     report_each(state, tile.fragments());
 }
 
@@ -145,11 +147,13 @@ void store(benchmark::State& state, const MethodRow& row, bool with_resolve)
 {
     const FullestTile tile(static_cast<int>(state.range(0)));
     const int samples = tile.samples().count;
-    const StoreVerbs verbs = row.verbs(targets(), samples);
-    const std::shared_ptr<void> kept = verbs.make({&tile.samples()});
+    const ChosenMethod method = choose_method(row.id);
+    const StoreVerbs verbs = row.verbs(targets(), method, samples);
+    const std::shared_ptr<void> kept =
+        verbs.make({&tile.samples(), &method, {false, 0.1f, 100.0f}, kStreamFragments});
     SampleColors colors(samples);
     for (auto _ : state) {
-        verbs.clear(kept.get());
+        verbs.clear(kept.get(), {});
         for (int pass = 0; pass < row.passes; ++pass) {
             for (const FragmentStream& s : tile.streams()) verbs.insert(kept.get(), s, pass);
         }

@@ -44,6 +44,13 @@ struct Options {
     int threads = 0;               // 0: all that the machine has
     Simd simd = Simd::best;
     std::uint64_t seed = 0;
+    // Pictures to average, each with random numbers of its own, 1 to 1,000,000; for a method
+    // without random numbers one is enough, and one is drawn.
+    int accumulate = 1;
+    // What the whole process may take while it draws the picture, and then to write it to a file,
+    // in bytes; 0: no limit. The picture is the same with and without.
+    std::uint64_t memory_limit = 0;
+    bool channels = false;  // Frame::channels are wanted
     // Called now and then, from one thread at a time, with the part done, in [0, 1].
     std::function<void(double)> progress;
 };
@@ -76,12 +83,24 @@ struct Stats {
     std::vector<PassTime> ms_passes;
 };
 
-struct Frame {
-    Image image;
-    Stats stats;
+// What lies under a picture, pixel by pixel; as large as the image, rows from the top. Of
+// transparent fragments, in front of what is opaque.
+struct Channels {
+    std::vector<float> fragments;         // in the pixel
+    std::vector<float> depth_complexity;  // layers over a sample, mean over the pixel's samples
+    std::vector<float> coverage;          // part of the samples with a layer or more, in [0, 1]
+    std::vector<float> depth;  // of the nearest, at the pixel's centre: metres from the eye along
+                               // the axis of view; infinity without one
 };
 
-// Throws sheer::Error (sheer/error.h) when the view, the options or the scene can't be drawn.
+struct Frame {
+    Image image;  // with alpha
+    Stats stats;
+    std::optional<Channels> channels;
+};
+
+// Throws sheer::Error (sheer/error.h): Fault::input when the view, the options or the scene can't
+// be drawn, Fault::work when the memory limit is too low for them.
 Frame render(const Scene& scene, const View& view, const Options& options);
 
 }  // namespace sheer

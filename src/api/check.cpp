@@ -112,6 +112,10 @@ void check_view(const View& view, const Options& options)
     if (options.threads < 0 || options.threads > 4096) {
         refuse("threads: " + std::to_string(options.threads) + " is not between 1 and 4096");
     }
+    if (options.accumulate < 1 || options.accumulate > 1'000'000) {
+        refuse("accumulate: " + std::to_string(options.accumulate) +
+               " is not between 1 and 1,000,000");
+    }
     if (view.background) {
         if (!are_colors(*view.background)) refuse("background: not between 0 and 1,000,000");
         if ((*view.background)[3] > 1) refuse("background: an alpha above 1");

@@ -21,6 +21,16 @@ const char* name_of(Bias bias)
     return "neither";
 }
 
+const char* name_of(Agreement agreement)
+{
+    switch (agreement) {
+        case Agreement::bits: return "bits";
+        case Agreement::rounding: return "rounding";
+        case Agreement::none: break;
+    }
+    return "none";
+}
+
 std::string exact_up_to(const MethodRow& row)
 {
     return row.exact_up_to < 0 ? "any" : std::to_string(row.exact_up_to);
@@ -49,7 +59,10 @@ Json methods_json()
                            {"passes", row.passes},
                            {"bytes_per_pixel", row.bytes_formula},
                            {"bounded", row.bounded},
-                           {"order_independent", row.order_independent},
+                           {"order_independent", row.any_order != Agreement::none},
+                           {"any_order", name_of(row.any_order)},
+                           {"merge", name_of(row.merge)},
+                           {"random", row.random},
                            {"coloured", row.coloured},
                            {"unbiased", row.bias == Bias::exact || row.bias == Bias::unbiased},
                            {"bias", name_of(row.bias)},
@@ -69,7 +82,7 @@ std::string properties_table()
                           "on average", "exact up to", "what it is"});
     for (const MethodRow& row : method_table()) {
         table.rows.push_back({row.id, std::to_string(row.passes), row.bytes_formula,
-                              yes(row.bounded), yes(row.order_independent), yes(row.coloured),
+                              yes(row.bounded), name_of(row.any_order), yes(row.coloured),
                               name_of(row.bias), exact_up_to(row),
                               row.title + std::string(row.bench_only ? " (bench only)" : "")});
     }
@@ -79,7 +92,9 @@ std::string properties_table()
 std::string methods_text()
 {
     std::string text = properties_table();
-    text += "\nS: samples a pixel; N: fragments of the pixel; exact up to: fragments a sample\n\n";
+    text +=
+        "\nS: samples a pixel; N: fragments of the pixel; exact up to: fragments a sample\n"
+        "any order: the same for every order of the fragments, bit for bit or to rounding\n\n";
     for (const MethodRow& row : method_table()) {
         text += std::string(row.id) + ": " + row.citation + "\n";
         TextTable table{.left = 2, .last_is_prose = true, .rows = {}};

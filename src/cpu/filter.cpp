@@ -78,19 +78,19 @@ std::array<float, 4> SampleFilter::gaussian(const SampleColors& colors, const Pi
 }
 
 void SampleFilter::apply(const SampleColors& colors, const PixelRect& rect,
-                         const PixelRect& interior, Image& image) const
+                         const PixelRect& interior, std::vector<Float4>& pixels) const
 {
     const Mean mean = mean_of(samples_);
+    pixels.clear();
     for (int y = interior.y0; y < interior.y1; ++y) {
         for (int x = interior.x0; x < interior.x1; ++x) {
             if (!weights_.empty()) {
-                image.at(x, y) = gaussian(colors, rect, x, y);
+                pixels.push_back(gaussian(colors, rect, x, y));
                 continue;
             }
             const auto pixel = static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
-            for (std::size_t c = 0; c < 4; ++c) {
-                image.at(x, y)[c] = mean(colors.channel(pixel, c));
-            }
+            Float4& result = pixels.emplace_back();
+            for (std::size_t c = 0; c < 4; ++c) result[c] = mean(colors.channel(pixel, c));
         }
     }
 }

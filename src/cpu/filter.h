@@ -19,9 +19,9 @@ public:
     // Pixels around that the filter reaches: the tile's apron.
     int reach() const { return weights_.empty() ? 0 : 1; }
 
-    // Writes the pixels of `interior` from the samples of `rect` around it.
+    // The pixels of `interior`, row by row, from the samples of `rect` around it.
     void apply(const SampleColors& colors, const PixelRect& rect, const PixelRect& interior,
-               Image& image) const;
+               std::vector<Float4>& pixels) const;
 
 private:
     std::array<float, 4> gaussian(const SampleColors& colors, const PixelRect& rect, int x,

@@ -3,113 +3,151 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
+#include "cpu/channels.h"
 #include "cpu/filter.h"
+#include "cpu/memory_plan.h"
 #include "cpu/stopwatch.h"
-#include "cpu/tile_fragments.h"
+#include "cpu/tile_mean.h"
+#include "cpu/tile_passes.h"
 #include "geometry/build.h"
-#include "methods/method.h"
+#include "geometry/object_distances.h"
 #include "scene/camera.h"
 #include "support/memory.h"
 #include "support/parallel.h"
+#include "support/random.h"
 
 namespace sheer {
 
 namespace {
 
-// The stream and the store of a tile share the second-level cache: about 150 KB of fragments.
-constexpr int kStreamFragments = 4096;
-
 // Light grey, linear.
 constexpr Float4 kDefaultBackground = {0.6f, 0.6f, 0.6f, 1.0f};
 
+Submission submission_of(const Take& take)
+{
+    const auto submission = take.method.row->submission;
+    return submission != nullptr ? submission(take.method) : Submission::as_given;
+}
+
+// Takes whose fragments come in the same order.
+struct Group {
+    Submission submission;
+    std::vector<std::size_t> takes;
+    std::size_t uses = 0;  // how often a tile's fragments are gone through
+};
+
+std::vector<Group> group_takes(std::span<const Take> takes)
+{
+    std::vector<Group> groups;
+    for (std::size_t i = 0; i < takes.size(); ++i) {
+        const Submission submission = submission_of(takes[i]);
+        auto group = std::find_if(groups.begin(), groups.end(),
+                                  [&](const Group& g) { return g.submission == submission; });
+        if (group == groups.end()) group = groups.insert(group, {submission, {}, 0});
+        group->takes.push_back(i);
+        group->uses += takes[i].keys.size() * static_cast<std::size_t>(takes[i].method.row->passes);
+    }
+    return groups;
+}
+
 // What all tiles read.
 struct FrameJob {
+    std::span<const Take> takes;
+    std::vector<Group> groups;
     const Geometry& geometry;
     const FrameSurfaces& surfaces;
     const SampleSet& samples;
     const SampleFilter& filter;
     TileGrid grid;
     Float4 background;
-    StoreVerbs verbs;
+    EyeSpace eye;
+    std::vector<StoreVerbs> verbs;  // of each take
     TileFragmentsFunction tile_fragments;
+    int stream_capacity;
+    std::size_t store_bytes;  // for a store that grows
 };
 
 // What one thread works with, tile after tile.
 struct Worker {
-    TileScratch scratch;
-    OpaqueTile opaque;
-    FragmentStream stream;
+    TilePasses passes;
     SampleColors colors;
-    std::shared_ptr<void> store;
-    const StoreVerbs* verbs = nullptr;
-
-    std::uint64_t fragments = 0;
-    Stopwatch raster_shade, storing, resolving;
+    std::vector<TileStore> stores;  // of each take
+    std::vector<Float4> pixels;
+    TileMean mean;
+    ChannelTile channels;
 };
 
 std::unique_ptr<Worker> make_worker(const FrameJob& job)
 {
-    auto worker = std::make_unique<Worker>();
-    worker->opaque = OpaqueTile(job.samples.count, job.surfaces.any_opaque);
-    worker->stream = FragmentStream(kStreamFragments);
-    worker->colors = SampleColors(job.samples.count);
-    worker->store = job.verbs.make({&job.samples});
-    worker->verbs = &job.verbs;
+    const int samples = job.samples.count;
+    auto worker = std::make_unique<Worker>(Worker{
+        {job.tile_fragments, OpaqueTile(samples, job.surfaces.any_opaque), job.stream_capacity},
+        SampleColors(samples),
+        {},
+        {},
+        {},
+        {}});
+    for (std::size_t i = 0; i < job.takes.size(); ++i) {
+        const ChosenMethod& method = job.takes[i].method;
+        const StoreShape shape{&job.samples, &method, job.eye, job.stream_capacity,
+                               method.row->bounded ? ~std::size_t{0} : job.store_bytes};
+        worker->stores.push_back({&job.verbs[i], job.verbs[i].make(shape), method.row->passes});
+    }
     return worker;
 }
 
-void insert_fragments(void* context, const FragmentStream& stream)
+void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Worker& worker,
+               TakeFrame& frame)
 {
-    auto& worker = *static_cast<Worker*>(context);
-    worker.raster_shade.stop();
-    worker.storing.start();
-    worker.verbs->insert(worker.store.get(), stream, 0);
-    worker.fragments += static_cast<std::uint64_t>(stream.size);
-    worker.storing.stop();
-    worker.raster_shade.start();
-}
-
-// What is behind everything transparent.
-void fill_backdrop(const OpaqueTile& opaque, const Float4& background, SampleColors& colors)
-{
-    const auto samples = static_cast<std::size_t>(colors.samples);
-    for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-        for (std::size_t c = 0; c < 4; ++c) {
-            std::fill_n(colors.channel(pixel, c), samples, background[c]);
-        }
-        if (!opaque.any) continue;
-        const float* channels[3] = {opaque.red.data(), opaque.green.data(), opaque.blue.data()};
-        for (std::size_t s = 0; s < samples; ++s) {
-            const std::size_t at = pixel * samples + s;
-            if (opaque.depth[at] == std::numeric_limits<float>::infinity()) continue;
-            for (std::size_t c = 0; c < 3; ++c) colors.channel(pixel, c)[s] = channels[c][at];
-            colors.channel(pixel, 3)[s] = 1.0f;
-        }
+    const Take& take = job.takes[number];
+    const PixelRect interior = job.grid.interior(setting.job.tile);
+    TileStore& store = worker.stores[number];
+    worker.mean.clear();
+    for (const std::uint32_t key : take.keys) {
+        setting.place.key = key;
+        worker.passes.draw(setting, store, worker.colors);
+        store.resolving.start();
+        job.filter.apply(worker.colors, setting.job.rect, interior, worker.pixels);
+        worker.mean.add(worker.pixels);
+        store.resolving.stop();
     }
+    worker.mean.write_mean(interior, frame.image);
+    if (take.variance) worker.mean.write_variance(interior, frame.variance);
 }
 
-void render_tile(const FrameJob& job, int tile, Worker& worker, Image& image)
+void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result)
 {
     const PixelRect rect = job.grid.rect(tile);
-
-    worker.raster_shade.start();
-    job.verbs.clear(worker.store.get());
-    const TileJob tile_job{&job.geometry, &job.surfaces, &job.samples, tile, rect};
-    job.tile_fragments(tile_job, worker.scratch, worker.opaque, worker.stream,
-                       {insert_fragments, &worker});
-    worker.raster_shade.stop();
-
-    worker.resolving.start();
-    fill_backdrop(worker.opaque, job.background, worker.colors);
-    job.verbs.resolve(worker.store.get(), worker.colors);
-    job.filter.apply(worker.colors, rect, job.grid.interior(tile), image);
-    worker.resolving.stop();
+    TileSetting setting{{&job.geometry, &job.surfaces, &job.samples, tile, rect, rect},
+                        job.background,
+                        {rect.x0, rect.y0, 0}};
+    for (const Group& group : job.groups) {
+        setting.job.submission = group.submission;
+        worker.passes.forget();
+        if (group.uses > 1) worker.passes.keep(setting);
+        for (const std::size_t take : group.takes) {
+            draw_take(job, take, setting, worker, result.frames[take]);
+        }
+    }
+    if (!result.channels) return;
+    worker.channels.clear();
+    worker.passes.visit(setting, [&](const FragmentStream& s) { worker.channels.add(s); });
+    worker.channels.write(rect, job.grid.interior(tile),
+                          {job.samples.count, job.grid.width, job.eye}, *result.channels);
 }
 
-FrameSurfaces prepare_surfaces(const Scene& scene, float exposure)
+FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
+                               std::span<const Take> takes)
 {
-    FrameSurfaces result{make_surfaces(scene, exposure), make_light(scene)};
+    FrameSurfaces result{make_surfaces(scene, view.exposure), make_light(scene), {}, false};
+    const auto sorts_objects = [](const Take& take) {
+        return submission_of(take) == Submission::objects_sorted;
+    };
+    if (std::any_of(takes.begin(), takes.end(), sorts_objects)) {
+        result.distances = object_distances(scene, projection);
+    }
     result.any_opaque =
         std::any_of(result.surfaces.begin(), result.surfaces.end(),
                     [](const Surface& s) { return s.alpha_mode != AlphaMode::blend; });
@@ -136,82 +174,188 @@ private:
     std::mutex mutex_;
 };
 
-void sum_up(const std::vector<std::unique_ptr<Worker>>& workers, Stats& stats)
+using Workers = std::vector<std::unique_ptr<Worker>>;
+
+// The stages of one take, summed over the threads.
+void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats& stats)
 {
+    const Submission submission = submission_of(job.takes[take]);
     for (const auto& worker : workers) {
         if (!worker) continue;
-        stats.fragments += worker->fragments;
-        stats.ms_raster_shade += worker->raster_shade.ms();
-        stats.ms_store += worker->storing.ms();
-        stats.ms_resolve += worker->resolving.ms();
+        const TileStore& store = worker->stores[take];
+        stats.fragments += store.fragments;
+        stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(submission);
+        stats.ms_store += store.storing.ms();
+        stats.ms_resolve += store.resolving.ms();
     }
     const double threads = stats.threads;
     stats.ms_raster_shade /= threads;
     stats.ms_store /= threads;
     stats.ms_resolve /= threads;
     stats.ms_passes = {{"fragments", stats.ms_raster_shade + stats.ms_store}};
+    stats.fragments /= job.takes[take].keys.size();
+}
+
+Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number, Stats common)
+{
+    const ChosenMethod& method = job.takes[number].method;
+    Stats stats = std::move(common);
+    stats.method = method.row->id;
+    stats.parameters = method.parameters_text();
+    stats.passes = method.row->passes;
+    sum_up(workers, job, number, stats);
+    // Of several takes each would have needed the geometry and its own stages.
+    if (job.takes.size() > 1) {
+        stats.ms_total =
+            stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
+    }
+    const double pixels = static_cast<double>(stats.width) * stats.height;
+    stats.bytes_per_pixel =
+        method.row->bytes_per_pixel(stats.samples, static_cast<double>(stats.fragments) / pixels);
+    return stats;
+}
+
+// Of one thread, but for the stores that grow.
+std::size_t thread_bytes(const FrameJob& job)
+{
+    const auto samples = static_cast<std::size_t>(job.samples.count);
+    const std::size_t pixel_samples = kTilePixels * samples;
+    const std::size_t per_fragment = sizeof(FragmentRun) + 16 * sizeof(float);
+    std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
+                        pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
+    if (job.surfaces.any_opaque) bytes += pixel_samples * 6 * sizeof(float);
+    for (const Take& take : job.takes) {
+        if (!take.method.row->bounded) continue;
+        bytes += kTilePixels *
+                 static_cast<std::size_t>(take.method.row->bytes_per_pixel(job.samples.count, 0));
+    }
+    return bytes;
+}
+
+MemoryPlan plan(const FrameJob& job, const Options& options, bool channels, int threads)
+{
+    MemoryNeeds needs{options.memory_limit, 0, channels ? 1u : 0u, thread_bytes(job), 0, threads};
+    needs.pixels =
+        static_cast<std::uint64_t>(job.grid.width) * static_cast<std::uint64_t>(job.grid.height);
+    for (const Take& take : job.takes) {
+        needs.pictures += take.variance ? 2 : 1;
+        if (!take.method.row->bounded) ++needs.growing_stores;
+    }
+    return plan_memory(needs);
+}
+
+EyeSpace eye_space(const Projection& projection)
+{
+    return {projection.orthographic, static_cast<float>(projection.znear),
+            static_cast<float>(projection.zfar)};
+}
+
+void make_images(const FrameJob& job, bool channels, FrameTakes& result)
+{
+    const int width = job.grid.width, height = job.grid.height;
+    for (const Take& take : job.takes) {
+        result.frames.push_back({Image(width, height), {}, {}});
+        if (take.variance) result.frames.back().variance = Image(width, height);
+    }
+    if (!channels) return;
+    const std::vector<float> none(static_cast<std::size_t>(width) *
+                                  static_cast<std::size_t>(height));
+    result.channels = Channels{none, none, none, none};
+}
+
+int stream_capacity(const std::vector<Group>& groups)
+{
+    const bool again = std::any_of(groups.begin(), groups.end(),
+                                   [](const Group& group) { return group.uses > 1; });
+    return again ? kKeptFragments : kStreamFragments;
 }
 
 }  // namespace
 
-Frame render_frame(const Scene& scene, const View& view, const Options& options)
+std::uint32_t frame_key(std::uint64_t seed, int frame)
+{
+    const CounterRandom random{seed};
+    return static_cast<std::uint32_t>(random.bits(static_cast<std::uint64_t>(frame)) >> 32);
+}
+
+FrameTakes render_takes(const Scene& scene, const View& view, const Options& options,
+                        std::span<const Take> takes, SubpixelShift shift)
 {
     Stopwatch total, geometry_time;
     total.start();
-    const ChosenMethod method = choose_method(options.method);
     const TargetSet targets = targets_of(options.simd);
-    const SampleSet samples = make_sample_set(view.samples, view.positions);
+    const SampleSet samples = make_sample_set(view.samples, view.positions, shift);
     const SampleFilter filter(view.filter, samples);
     const TileGrid grid{view.width, view.height, filter.reach()};
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
-    const int threads = std::min(wanted, grid.count());
 
     geometry_time.start();
     const Projection projection = resolve_camera(scene, view);
-    const Geometry geometry = build_geometry({scene, projection, grid, samples.extent, threads});
-    const FrameSurfaces surfaces = prepare_surfaces(scene, view.exposure);
+    const int geometry_threads = std::min(wanted, grid.count());
+    const Geometry geometry =
+        build_geometry({scene, projection, grid, samples.extent, geometry_threads});
+    const FrameSurfaces surfaces = prepare_surfaces(scene, view, projection, takes);
     geometry_time.stop();
 
-    const Float4 background =
-        view.background ? *view.background : scene.background.value_or(kDefaultBackground);
-    const FrameJob job{geometry,
-                       surfaces,
-                       samples,
-                       filter,
-                       grid,
-                       background,
-                       method.row->verbs(targets, samples.count),
-                       tile_fragments_for(targets)};
-    Frame frame{Image(view.width, view.height), {}};
-    std::vector<std::unique_ptr<Worker>> workers(static_cast<std::size_t>(threads));
+    FrameJob job{takes,
+                 group_takes(takes),
+                 geometry,
+                 surfaces,
+                 samples,
+                 filter,
+                 grid,
+                 view.background ? *view.background : scene.background.value_or(kDefaultBackground),
+                 eye_space(projection),
+                 {},
+                 tile_fragments_for(targets),
+                 0,
+                 0};
+    for (const Take& take : takes) {
+        job.verbs.push_back(take.method.row->verbs(targets, take.method, samples.count));
+    }
+    job.stream_capacity = stream_capacity(job.groups);
+    const MemoryPlan memory = plan(job, options, options.channels, geometry_threads);
+    job.store_bytes = memory.store_bytes;
+
+    FrameTakes result;
+    make_images(job, options.channels, result);
+    Workers workers(static_cast<std::size_t>(memory.threads));
     Reporter reporter(options.progress, grid.count());
-    parallel_for(threads, static_cast<std::size_t>(grid.count()), [&](std::size_t tile, int t) {
+    const auto tiles = static_cast<std::size_t>(grid.count());
+    parallel_for(memory.threads, tiles, [&](std::size_t tile, int t) {
         std::unique_ptr<Worker>& worker = workers[static_cast<std::size_t>(t)];
         if (!worker) worker = make_worker(job);
-        render_tile(job, static_cast<int>(tile), *worker, frame.image);
+        draw_tile(job, static_cast<int>(tile), *worker, result);
         reporter.done_one();
     });
     total.stop();
 
-    Stats& stats = frame.stats;
-    stats.method = method.row->id;
-    stats.parameters = method.parameters_text();
-    stats.samples = samples.count;
-    stats.width = view.width;
-    stats.height = view.height;
-    stats.simd = name_of_targets(targets);
-    stats.threads = threads;
-    stats.seed = options.seed;
-    stats.triangles = geometry.submitted;
-    stats.passes = method.row->passes;
-    stats.ms_geometry = geometry_time.ms();
-    stats.ms_total = total.ms();
-    sum_up(workers, stats);
-    const double pixels = static_cast<double>(view.width) * view.height;
-    stats.bytes_per_pixel =
-        method.row->bytes_per_pixel(samples.count, static_cast<double>(stats.fragments) / pixels);
-    stats.peak_memory_bytes = peak_memory_bytes();
-    return frame;
+    Stats common;
+    common.samples = samples.count;
+    common.width = view.width;
+    common.height = view.height;
+    common.simd = name_of_targets(targets);
+    common.threads = memory.threads;
+    common.seed = options.seed;
+    common.triangles = geometry.submitted;
+    common.ms_geometry = geometry_time.ms();
+    common.ms_total = total.ms();
+    common.peak_memory_bytes = peak_memory_bytes();
+    for (std::size_t i = 0; i < takes.size(); ++i) {
+        result.frames[i].stats = make_stats(workers, job, i, common);
+    }
+    return result;
+}
+
+Frame render_frame(const Scene& scene, const View& view, const Options& options)
+{
+    Take take{choose_method(options.method), {}, false};
+    const int frames = take.method.row->random ? options.accumulate : 1;
+    for (int i = 0; i < frames; ++i) take.keys.push_back(frame_key(options.seed, i));
+    FrameTakes result = render_takes(scene, view, options, {&take, 1}, {});
+    if (options.memory_limit != 0) release_free_memory();
+    TakeFrame& frame = result.frames.front();
+    return {std::move(frame.image), std::move(frame.stats), std::move(result.channels)};
 }
 
 }  // namespace sheer

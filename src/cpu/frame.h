@@ -1,9 +1,42 @@
-// A frame on the CPU.
+// Frames on the CPU.
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include <sheer/render.h>
 
+#include "methods/method.h"
+#include "raster/sample_set.h"
+
 namespace sheer {
+
+// A picture to be made over fragments that others are made over too.
+struct Take {
+    ChosenMethod method;
+    std::vector<std::uint32_t> keys;  // of random numbers: a picture each; the mean is wanted
+    bool variance = false;            // over the keys is wanted as well
+};
+
+struct TakeFrame {
+    Image image;
+    Image variance;  // of the keys' pictures, divided by their number less 1; empty if not wanted
+    Stats stats;
+};
+
+struct FrameTakes {
+    std::vector<TakeFrame> frames;  // one for each take
+    std::optional<Channels> channels;
+};
+
+// The key of one frame of a seed's sequence.
+std::uint32_t frame_key(std::uint64_t seed, int frame);
+
+// The pictures of `takes`, with all samples shifted; options.method, seed and accumulate are not
+// looked at. Fragments are rasterised and shaded once for all takes that want them in the same
+// order. The stats of a take hold shared times as if it were alone.
+FrameTakes render_takes(const Scene& scene, const View& view, const Options& options,
+                        std::span<const Take> takes, SubpixelShift shift);
 
 // As sheer::render, for a scene that has passed check_scene.
 Frame render_frame(const Scene& scene, const View& view, const Options& options);

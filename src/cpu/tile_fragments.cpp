@@ -2,6 +2,8 @@
 // shading at the centroid, into the stream. docs/numerics.md says what exactly is computed.
 #include "cpu/tile_fragments.h"
 
+#include <algorithm>
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "cpu/tile_fragments.cpp"
 #include "lanes/targets.h"
@@ -29,12 +31,13 @@ struct Tile {
     // The functions for this number of samples.
     OpaqueSamples samples;
     CoverFunction cover_narrow;
+    bool wanted = true;  // by the consumer
 };
 
 // The part of the tile that a triangle may cover, in pixels of the picture.
 HWY_INLINE bool region_of(const Tile& tile, const Triangle& t, PixelRect& region)
 {
-    const PixelRect& rect = tile.job.rect;
+    const PixelRect& rect = tile.job.region;
     const PixelBounds bounds = pixel_bounds(t, tile.job.samples->extent);
     region = {std::max(rect.x0, bounds.x0), std::max(rect.y0, bounds.y0),
               std::min(rect.x1, bounds.x1 + 1), std::min(rect.y1, bounds.y1 + 1)};
@@ -161,7 +164,7 @@ HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
     }
     FragmentRun& run = s.runs[s.run_count];
     run = {static_cast<std::uint32_t>(pending.first), static_cast<std::uint32_t>(pending.count),
-           t.primitive, t.object, planes.depth};
+           t.primitive, surface.id, planes.depth};
     if (tile.opaque.any || surface.has_vertex_colors || kept < pending.first) {
         keep_visible(tile, run, kept);
     }
@@ -169,8 +172,8 @@ HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
     if (run.count > 0) ++s.run_count;
 }
 
-// Shades what is covered so far and hands it on. Coverage and shading take turns over many
-// triangles at a time, so that neither waits for the other's latency.
+// Shades what is covered so far. Coverage and shading take turns over many triangles at a time, so
+// that neither waits for the other's latency.
 inline void finish_stream(Tile& tile)
 {
     constexpr std::size_t kAhead = 4;
@@ -186,8 +189,15 @@ inline void finish_stream(Tile& tile)
         shade_run(tile, pending[i], kept);
     }
     tile.stream.size = kept;
-    if (kept > 0) tile.consumer.take(tile.consumer.context, tile.stream);
     tile.scratch.pending.clear();
+}
+
+inline void hand_on(Tile& tile)
+{
+    finish_stream(tile);
+    if (tile.stream.size > 0) {
+        tile.wanted = tile.consumer.take(tile.consumer.context, tile.stream);
+    }
     tile.stream.clear();
 }
 
@@ -195,9 +205,9 @@ HWY_INLINE void cover_transparent(Tile& tile, const TriangleChunk& chunk, const 
 {
     FragmentStream& s = tile.stream;
     PixelRect region;
-    if (!region_of(tile, t, region)) return;
+    if (!tile.wanted || !region_of(tile, t, region)) return;
     const int most = (region.x1 - region.x0) * (region.y1 - region.y0);
-    if (s.size + most > s.capacity) finish_stream(tile);
+    if (s.size + most > s.capacity) hand_on(tile);
     CoverageList list{s.pixel.data(), s.samples.data(), s.samples_high.data(), s.size};
     cover(tile, t, region, list);
     if (list.count == s.size) return;
@@ -223,7 +233,51 @@ HWY_INLINE void for_each_triangle(const TileJob& job, Draw&& draw)
     }
 }
 
-void tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque,
+// Farther ones first; of equal ones that with the greater id, which counts as the farther.
+inline bool is_farther(const SortedTriangle& a, const SortedTriangle& b)
+{
+    return a.distance > b.distance || (a.distance == b.distance && a.id > b.id);
+}
+
+// The mean of its corners' distances. A clipped triangle's pieces each have their own.
+inline float centroid_distance(const Triangle& t, bool orthographic)
+{
+    const auto distance = [&](float depth) { return orthographic ? depth : -1.0f / depth; };
+    return (distance(t.depth[0]) + distance(t.depth[1]) + distance(t.depth[2])) / 3.0f;
+}
+
+// The transparent triangles, in the job's order.
+template <class Draw>
+HWY_INLINE void for_each_transparent(const TileJob& job, std::vector<SortedTriangle>& sorted,
+                                     Draw&& draw)
+{
+    const auto is_seen = [](const Surface& surface) {
+        return surface.alpha_mode == AlphaMode::blend && surface.opacity > 0;
+    };
+    if (job.submission == Submission::as_given) {
+        for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
+                                   const Surface& surface) HWY_ATTR {
+            if (is_seen(surface)) draw(chunk, t);
+        });
+        return;
+    }
+    sorted.clear();
+    for_each_triangle(
+        job, [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
+            if (!is_seen(surface)) return;
+            if (job.submission == Submission::objects_sorted) {
+                sorted.push_back({job.surfaces->distances[t.object], surface.id, &chunk, &t});
+            } else {
+                const float distance = centroid_distance(t, job.geometry->orthographic);
+                sorted.push_back({distance, t.primitive, &chunk, &t});
+            }
+        });
+    // Stable: an object's triangles stay in their own order.
+    std::stable_sort(sorted.begin(), sorted.end(), is_farther);
+    for (const SortedTriangle& s : sorted) draw(*s.chunk, *s.triangle);
+}
+
+bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque,
                     FragmentStream& stream, const FragmentConsumer& consumer)
 {
     Tile tile{job,
@@ -242,12 +296,11 @@ void tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
             if (surface.alpha_mode != AlphaMode::blend) draw_opaque(tile, chunk, t, surface);
         });
     }
-    for_each_triangle(
-        job, [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
-            if (surface.alpha_mode != AlphaMode::blend || !(surface.opacity > 0)) return;
-            cover_transparent(tile, chunk, t);
-        });
+    for_each_transparent(job, scratch.sorted,
+                         [&](const TriangleChunk& chunk, const Triangle& t)
+                             HWY_ATTR { cover_transparent(tile, chunk, t); });
     finish_stream(tile);
+    return tile.wanted;
 }
 
 }  // namespace sheer::HWY_NAMESPACE

@@ -3,13 +3,14 @@
 
 #include <vector>
 
+#include "geometry/tile_grid.h"
 #include "geometry/triangles.h"
 #include "lanes/targets.h"
+#include "methods/method.h"
 #include "raster/coverage_list.h"
 #include "raster/fragments.h"
 #include "raster/opaque_tile.h"
 #include "raster/sample_set.h"
-#include "geometry/tile_grid.h"
 #include "shade/surface.h"
 
 namespace sheer {
@@ -17,7 +18,8 @@ namespace sheer {
 struct FrameSurfaces {
     std::vector<Surface> surfaces;  // one for each object
     Light light;
-    bool any_opaque = false;  // OPAQUE or MASK somewhere in the scene
+    std::vector<float> distances;  // of each object's centre, for Submission::objects_sorted
+    bool any_opaque = false;       // OPAQUE or MASK somewhere in the scene
 };
 
 struct TileJob {
@@ -25,7 +27,17 @@ struct TileJob {
     const FrameSurfaces* surfaces;
     const SampleSet* samples;
     int tile;
-    PixelRect rect;  // of the picture; at most kTileSize across
+    PixelRect rect;    // of the picture; at most kTileSize across
+    PixelRect region;  // the part of it that is wanted
+    Submission submission = Submission::as_given;
+};
+
+// A transparent triangle on its way into another order.
+struct SortedTriangle {
+    float distance;
+    std::uint32_t id;  // of its object, or its own
+    const TriangleChunk* chunk;
+    const Triangle* triangle;
 };
 
 // A triangle's part of the stream while it is covered but not yet shaded.
@@ -38,6 +50,7 @@ struct PendingRun {
 // What a thread needs besides, tile after tile.
 struct TileScratch {
     std::vector<PendingRun> pending;
+    std::vector<SortedTriangle> sorted;
     // Of one opaque triangle.
     AlignedArray<std::uint32_t> pixel, low, high;
 
@@ -49,13 +62,15 @@ struct TileScratch {
     }
 };
 
-// Takes the fragments that the stream holds when it is full, and at the end of the tile.
+// Takes the fragments that the stream holds when it is full. False: no more are wanted.
 struct FragmentConsumer {
-    void (*take)(void* context, const FragmentStream& stream);
+    bool (*take)(void* context, const FragmentStream& stream);
     void* context;
 };
 
-using TileFragmentsFunction = void (*)(const TileJob&, TileScratch&, OpaqueTile&, FragmentStream&,
+// What is left at the end, which may be nothing, stays in the stream. False: the consumer wanted no
+// more.
+using TileFragmentsFunction = bool (*)(const TileJob&, TileScratch&, OpaqueTile&, FragmentStream&,
                                        const FragmentConsumer&);
 
 TileFragmentsFunction tile_fragments_for(TargetSet targets);

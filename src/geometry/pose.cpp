@@ -132,8 +132,9 @@ std::vector<std::uint32_t> number_primitives(const Scene& scene)
         first[i] = static_cast<std::uint32_t>(next);
         next += scene.meshes[scene.objects[i].mesh].indices.size() / 3;
     }
-    if (next > std::numeric_limits<std::uint32_t>::max()) {
-        throw Error(Fault::input, "the scene has more than 4,294,967,295 triangles");
+    constexpr std::uint64_t kMost = 0x7ffffffe;  // methods compare ids as signed integers
+    if (next > kMost) {
+        throw Error(Fault::input, "the scene has more than 2,147,483,646 triangles");
     }
     return first;
 }

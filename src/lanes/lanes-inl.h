@@ -32,9 +32,12 @@ struct Lanes {
 
     struct mask {
         hn::Mask<F> m;
-        friend HWY_INLINE mask operator&(mask a, mask b) { return {hn::And(a.m, b.m)}; }
-        friend HWY_INLINE mask operator|(mask a, mask b) { return {hn::Or(a.m, b.m)}; }
-        friend HWY_INLINE mask operator!(mask a) { return {hn::Not(a.m)}; }
+        friend HWY_ATTR HWY_INLINE mask operator&(mask a, mask b) { return {hn::And(a.m, b.m)}; }
+        friend HWY_ATTR HWY_INLINE mask operator|(mask a, mask b) { return {hn::Or(a.m, b.m)}; }
+        friend HWY_ATTR HWY_INLINE mask operator!(mask a) { return {hn::Not(a.m)}; }
+        // As the texts write them; both sides are there already.
+        friend HWY_ATTR HWY_INLINE mask operator&&(mask a, mask b) { return a & b; }
+        friend HWY_ATTR HWY_INLINE mask operator||(mask a, mask b) { return a | b; }
         HWY_INLINE bool any() const { return !hn::AllFalse(F(), m); }
         // Lane i in bit i.
         HWY_INLINE std::uint32_t bits() const
@@ -54,15 +57,15 @@ struct Lanes {
         HWY_INLINE explicit real(float x) : v(hn::Set(F(), x)) {}
         static HWY_INLINE real load(const float* p) { return hn::LoadU(F(), p); }
         HWY_INLINE void store(float* p) const { hn::StoreU(v, F(), p); }
-        friend HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
-        friend HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
-        friend HWY_INLINE real operator*(real a, real b) { return hn::Mul(a.v, b.v); }
-        friend HWY_INLINE real operator/(real a, real b) { return hn::Div(a.v, b.v); }
-        friend HWY_INLINE mask operator<(real a, real b) { return {hn::Lt(a.v, b.v)}; }
-        friend HWY_INLINE mask operator>(real a, real b) { return {hn::Gt(a.v, b.v)}; }
-        friend HWY_INLINE mask operator<=(real a, real b) { return {hn::Le(a.v, b.v)}; }
-        friend HWY_INLINE mask operator>=(real a, real b) { return {hn::Ge(a.v, b.v)}; }
-        friend HWY_INLINE mask operator==(real a, real b) { return {hn::Eq(a.v, b.v)}; }
+        friend HWY_ATTR HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE real operator*(real a, real b) { return hn::Mul(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE real operator/(real a, real b) { return hn::Div(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE mask operator<(real a, real b) { return {hn::Lt(a.v, b.v)}; }
+        friend HWY_ATTR HWY_INLINE mask operator>(real a, real b) { return {hn::Gt(a.v, b.v)}; }
+        friend HWY_ATTR HWY_INLINE mask operator<=(real a, real b) { return {hn::Le(a.v, b.v)}; }
+        friend HWY_ATTR HWY_INLINE mask operator>=(real a, real b) { return {hn::Ge(a.v, b.v)}; }
+        friend HWY_ATTR HWY_INLINE mask operator==(real a, real b) { return {hn::Eq(a.v, b.v)}; }
     };
 
     struct whole {
@@ -70,24 +73,36 @@ struct Lanes {
         whole() = default;
         HWY_INLINE whole(hn::Vec<I> x) : v(x) {}
         HWY_INLINE explicit whole(std::int32_t x) : v(hn::Set(I(), x)) {}
+        HWY_INLINE explicit whole(std::uint32_t x) : whole(static_cast<std::int32_t>(x)) {}
         static HWY_INLINE whole load(const std::int32_t* p) { return hn::LoadU(I(), p); }
         static HWY_INLINE whole load(const std::uint32_t* p)
         {
             return hn::BitCast(I(), hn::LoadU(U(), p));
         }
+        static HWY_INLINE whole bits_of(real x) { return hn::BitCast(I(), x.v); }
+        HWY_INLINE real as_real() const { return hn::BitCast(F(), v); }  // the same bits
         HWY_INLINE void store(std::int32_t* p) const { hn::StoreU(v, I(), p); }
         HWY_INLINE void store(std::uint32_t* p) const { hn::StoreU(hn::BitCast(U(), v), U(), p); }
         // Wraps around, like unsigned arithmetic.
-        friend HWY_INLINE whole operator+(whole a, whole b) { return hn::Add(a.v, b.v); }
-        friend HWY_INLINE whole operator-(whole a, whole b) { return hn::Sub(a.v, b.v); }
-        friend HWY_INLINE whole operator*(whole a, whole b) { return hn::Mul(a.v, b.v); }
-        friend HWY_INLINE whole operator&(whole a, whole b) { return hn::And(a.v, b.v); }
-        friend HWY_INLINE whole operator|(whole a, whole b) { return hn::Or(a.v, b.v); }
-        friend HWY_INLINE mask operator<(whole a, whole b)
+        friend HWY_ATTR HWY_INLINE whole operator+(whole a, whole b) { return hn::Add(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE whole operator-(whole a, whole b) { return hn::Sub(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE whole operator*(whole a, whole b) { return hn::Mul(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE whole operator&(whole a, whole b) { return hn::And(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE whole operator|(whole a, whole b) { return hn::Or(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE whole operator^(whole a, whole b) { return hn::Xor(a.v, b.v); }
+        friend HWY_ATTR HWY_INLINE whole operator>>(whole a, int bits)
+        {
+            return a.shift_right_by(bits);
+        }
+        friend HWY_ATTR HWY_INLINE whole operator<<(whole a, int bits)
+        {
+            return hn::ShiftLeftSame(a.v, bits);
+        }
+        friend HWY_ATTR HWY_INLINE mask operator<(whole a, whole b)
         {
             return {hn::RebindMask(F(), hn::Lt(a.v, b.v))};
         }
-        friend HWY_INLINE mask operator==(whole a, whole b)
+        friend HWY_ATTR HWY_INLINE mask operator==(whole a, whole b)
         {
             return {hn::RebindMask(F(), hn::Eq(a.v, b.v))};
         }

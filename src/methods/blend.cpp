@@ -1,9 +1,7 @@
-// Alpha blending in the order of submission.
-// Porter and Duff. Compositing Digital Images. SIGGRAPH 1984.
+// Alpha blending in the order of arrival: shaders/sheer/blend.glsl at every sample.
 //
-// Each sample keeps the premultiplied colour C and the transmittance T of what was drawn so far; a
-// fragment goes over it. The baseline of every comparison: what an engine gets that does not sort.
-// Exact for one fragment, and for any number that arrive from far to near. 16 bytes a sample.
+// The baseline of every comparison, as the scene submits its triangles; sorted-blend is the same
+// over triangles that were sorted before. 16 bytes a sample.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,75 +15,61 @@
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
+template <class L>
+struct BlendText {
+#include "lanes/text_words.h"
+#include "sheer/over.glsl"
+#include "sheer/blend.glsl"
+};
+
 template <int S>
-struct BlendStore {
+struct BlendMethod {
     using L = Lanes<S>;
+    using Text = BlendText<L>;
+    using Store = typename Text::BlendStore;
+    using real3 = typename Text::real3;
     using real = typename L::real;
-    SampleColors kept;  // C in the first three channels, T in the fourth
+    static constexpr int kChannels = 4;
 
-    explicit BlendStore(const StoreShape& shape) : kept(shape.samples->count) {}
-
-    void clear()
+    static HWY_INLINE Store clear() { return Text::blend_clear(); }
+    static HWY_INLINE Store merge(Store s, Store later) { return Text::blend_merge(s, later); }
+    static HWY_INLINE real3 resolve(Store s, real3 backdrop, real& transmittance)
     {
-        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            std::fill_n(kept.channel(pixel, 0), 3 * kept.samples, 0.0f);
-            std::fill_n(kept.channel(pixel, 3), kept.samples, 1.0f);
-        }
+        transmittance = s.transmittance;
+        return Text::blend_resolve(s, backdrop);
     }
+    static HWY_INLINE Store load(const float* at, std::size_t samples)
+    {
+        return {load_color<Text>(at, samples), real::load(at + 3 * samples)};
+    }
+    static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
+    {
+        save_color<Text>(s.color, at, samples);
+        s.transmittance.store(at + 3 * samples);
+    }
+};
+
+template <int S>
+struct BlendTile : SampleStore<BlendMethod<S>> {
+    using Base = SampleStore<BlendMethod<S>>;
+    using Base::Base;
+    using typename Base::Text;
 
     void insert(const FragmentStream& f, int)
     {
-        const auto samples = static_cast<std::size_t>(kept.samples);
         for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            const real opacity(f.opacity[i]), red(f.red[i]), green(f.green[i]), blue(f.blue[i]);
-            float* at = kept.channel(f.pixel[i], 0);
-            for (std::size_t s = 0; s < samples; s += L::kCount, at += L::kCount) {
-                const real a = L::zero_unless(sample_mask<L>(f, i, s), opacity);
-                const real rest = real(1.0f) - a;
-                (a * red + rest * real::load(at)).store(at);
-                (a * green + rest * real::load(at + samples)).store(at + samples);
-                (a * blue + rest * real::load(at + 2 * samples)).store(at + 2 * samples);
-                (rest * real::load(at + 3 * samples)).store(at + 3 * samples);
-            }
-        }
-    }
-
-    // `later` was submitted after everything here: its layers go over these.
-    void merge(const BlendStore& later)
-    {
-        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            for (std::size_t s = 0; s < static_cast<std::size_t>(kept.samples); s += L::kCount) {
-                const real rest = real::load(later.kept.channel(pixel, 3) + s);
-                for (std::size_t c = 0; c < 3; ++c) {
-                    float* color = kept.channel(pixel, c) + s;
-                    const real front = real::load(later.kept.channel(pixel, c) + s);
-                    (front + rest * real::load(color)).store(color);
-                }
-                float* transmittance = kept.channel(pixel, 3) + s;
-                (rest * real::load(transmittance)).store(transmittance);
-            }
-        }
-    }
-
-    void resolve(SampleColors& backdrop) const
-    {
-        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            for (std::size_t s = 0; s < static_cast<std::size_t>(kept.samples); s += L::kCount) {
-                const real rest = real::load(kept.channel(pixel, 3) + s);
-                for (std::size_t c = 0; c < 3; ++c) {
-                    float* color = backdrop.channel(pixel, c) + s;
-                    const real front = real::load(kept.channel(pixel, c) + s);
-                    (front + rest * real::load(color)).store(color);
-                }
-                over_alpha<L>(rest, backdrop.channel(pixel, 3) + s);
-            }
+            const auto color = color_of<Text>(f, i);
+            const typename Base::real opacity(f.opacity[i]);
+            this->update(f, i, [&](auto store, auto covered) HWY_ATTR {
+                return Text::blend_insert(store, covered, color, opacity);
+            });
         }
     }
 };
 
 StoreVerbs blend_store(int samples)
 {
-    return verbs_for_samples<BlendStore>(samples);
+    return verbs_for_samples<BlendTile>(samples);
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -96,9 +80,15 @@ namespace sheer {
 
 HWY_EXPORT(blend_store);
 
-StoreVerbs blend_verbs(TargetSet targets, int samples)
+StoreVerbs blend_verbs(TargetSet targets, const ChosenMethod&, int samples)
 {
     return SHEER_DISPATCH(blend_store, targets)(samples);
+}
+
+Submission sorted_blend_submission(const ChosenMethod& method)
+{
+    return method.value("by") == "object" ? Submission::objects_sorted
+                                          : Submission::triangles_sorted;
 }
 
 }  // namespace sheer

@@ -57,6 +57,11 @@ bool allowed(const Parameter& parameter, std::string_view value)
 
 }  // namespace
 
+const std::string& ChosenMethod::value(std::string_view parameter) const
+{
+    return values[find_parameter(*row, parameter)];
+}
+
 std::string ChosenMethod::parameters_text() const
 {
     std::string text;

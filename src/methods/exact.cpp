@@ -22,6 +22,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
+#include "lanes/lone.h"
 #include "methods/samples-inl.h"
 #include "raster/sample_depth-inl.h"
 
@@ -77,49 +78,16 @@ HWY_INLINE void insert_sorted(Item* items, std::size_t size, const Item& item)
     items[size] = item;
 }
 
-// A Composite in memory, lane by lane.
-struct CompositeLanes {
-    alignas(64) float red[16], green[16], blue[16], transmittance[16];
+template <class L>
+struct ExactText {
+#include "lanes/text_words.h"
+#include "sheer/over.glsl"
+#include "sheer/exact.glsl"
 };
 
-// Front to back: C = sum of T_i a_i c_i, T = product of (1 - a_i).
-template <class L>
-struct Composite {
-    using real = typename L::real;
-    real red, green, blue, transmittance;
-
-    HWY_INLINE Composite() : red(0.0f), green(0.0f), blue(0.0f), transmittance(1.0f) {}
-    HWY_INLINE void add(const Layer& layer, real opacity)
-    {
-        const real weight = transmittance * opacity;
-        red = red + weight * real(layer.red);
-        green = green + weight * real(layer.green);
-        blue = blue + weight * real(layer.blue);
-        transmittance = transmittance * (real(1.0f) - opacity);
-    }
-    HWY_INLINE void load(const CompositeLanes& from)
-    {
-        red = real::load(from.red);
-        green = real::load(from.green);
-        blue = real::load(from.blue);
-        transmittance = real::load(from.transmittance);
-    }
-    HWY_INLINE void store(CompositeLanes& to) const
-    {
-        red.store(to.red);
-        green.store(to.green);
-        blue.store(to.blue);
-        transmittance.store(to.transmittance);
-    }
-    HWY_INLINE void over(SampleColors& backdrop, std::size_t pixel, std::size_t s) const
-    {
-        const real front[3] = {red, green, blue};
-        for (std::size_t c = 0; c < 3; ++c) {
-            float* color = backdrop.channel(pixel, c) + s;
-            (front[c] + transmittance * real::load(color)).store(color);
-        }
-        over_alpha<L>(transmittance, backdrop.channel(pixel, 3) + s);
-    }
+// A sum in memory, lane by lane.
+struct SumLanes {
+    alignas(64) float red[16], green[16], blue[16], transmittance[16];
 };
 
 template <int S>
@@ -127,10 +95,15 @@ struct ExactStore {
     using L = Lanes<S>;
     using real = typename L::real;
     using mask = typename L::mask;
+    using Text = ExactText<L>;
+    using Sum = typename Text::ExactSum;
 
     const SampleSet& set;
+    const std::size_t most_bytes;
     std::vector<Layer> layers;
     std::vector<LayerRun> runs;
+    std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(kTilePixels);  // of the layers
+    std::uint32_t most_in_pixel = 0;
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
     std::vector<Layer> by_pixel;
     std::vector<std::uint64_t> keys;  // of the pixel at hand
@@ -141,17 +114,26 @@ struct ExactStore {
     std::vector<std::uint32_t> doubt;
     std::vector<PreciselyPlaced> sample_order;  // of one sample
 
-    explicit ExactStore(const StoreShape& shape) : set(*shape.samples) {}
+    explicit ExactStore(const StoreShape& shape) : set(*shape.samples), most_bytes(shape.most_bytes)
+    {
+    }
 
-    void clear()
+    void clear(const TilePlace&)
     {
         layers.clear();
         runs.clear();
+        std::fill(counts.begin(), counts.end(), 0);
+        most_in_pixel = 0;
     }
 
-    void insert(const FragmentStream& f, int)
+    bool insert(const FragmentStream& f, int)
     {
+        count(f);
         const std::size_t old = layers.size();
+        if (!reserve(old + static_cast<std::size_t>(f.size),
+                     runs.size() + static_cast<std::size_t>(f.run_count))) {
+            return false;
+        }
         layers.resize(old + static_cast<std::size_t>(f.size));
         Layer* to = layers.data() + old;
         for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
@@ -163,10 +145,44 @@ struct ExactStore {
                          f.pixel[i], number,     f.samples[i], f.samples_high[i]};
             }
         }
+        return true;
+    }
+
+    void count(const FragmentStream& f)
+    {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
+            most_in_pixel = std::max(most_in_pixel, ++counts[f.pixel[i]]);
+        }
+    }
+
+    // Room for as many, if that and what resolving them takes stays within most_bytes. Vectors that
+    // grow hold their old contents beside the new for a while: where memory is short, they get
+    // the room they may need at once, which costs nothing before it is used.
+    bool reserve(std::size_t layer_count, std::size_t run_count)
+    {
+        constexpr std::size_t kLayerBytes = 2 * sizeof(Layer);  // as they came, and by pixel
+        constexpr std::size_t kPixelLayerBytes =
+            sizeof(keys[0]) + sizeof(order[0]) + sizeof(doubt[0]) + sizeof(sample_order[0]) +
+            (sizeof(nearest[0]) + sizeof(furthest[0])) * L::kCount;
+        if (layer_count * kLayerBytes + run_count * sizeof(LayerRun) +
+                most_in_pixel * kPixelLayerBytes >
+            most_bytes) {
+            return false;
+        }
+        if (layers.capacity() == 0 && most_bytes != ~std::size_t{0}) {
+            layers.reserve(most_bytes / kLayerBytes);
+            by_pixel.reserve(most_bytes / kLayerBytes);
+            runs.reserve(most_bytes / sizeof(LayerRun));
+        }
+        return true;
     }
 
     void merge(const ExactStore& other)
     {
+        for (std::size_t p = 0; p < kTilePixels; ++p) {
+            counts[p] += other.counts[p];
+            most_in_pixel = std::max(most_in_pixel, counts[p]);
+        }
         const auto shift = static_cast<std::uint32_t>(runs.size());
         runs.insert(runs.end(), other.runs.begin(), other.runs.end());
         for (Layer layer : other.layers) {
@@ -183,7 +199,12 @@ struct ExactStore {
             sort_layers(pixel);
             for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
                 find_doubts(s);
-                composite(s).over(backdrop, pixel, s);
+                const Sum sum = composite(s);
+                resolve_samples<Text>(backdrop, pixel, s,
+                                      [&](auto behind, real& transmittance) HWY_ATTR {
+                                          transmittance = sum.transmittance;
+                                          return Text::exact_resolve(sum, behind);
+                                      });
             }
         }
     }
@@ -191,9 +212,8 @@ struct ExactStore {
     // A counting sort: the layers of pixel p are by_pixel[first[p] .. first[p + 1]).
     void sort_by_pixel()
     {
-        std::fill(first.begin(), first.end(), 0);
-        for (const Layer& layer : layers) ++first[layer.pixel + 1];
-        for (std::size_t p = 0; p < kTilePixels; ++p) first[p + 1] += first[p];
+        first[0] = 0;
+        for (std::size_t p = 0; p < kTilePixels; ++p) first[p + 1] = first[p] + counts[p];
         if (by_pixel.size() < layers.size()) by_pixel.resize(layers.size());
         for (const Layer& layer : layers) by_pixel[first[layer.pixel]++] = layer;
         for (std::size_t p = kTilePixels; p > 0; --p) first[p] = first[p - 1];
@@ -259,34 +279,45 @@ struct ExactStore {
         }
     }
 
-    HWY_INLINE Composite<L> composite(std::size_t s)
+    HWY_INLINE Sum composite(std::size_t s)
     {
-        Composite<L> sum;
+        Sum sum = Text::exact_clear();
         for (std::size_t i = 0; i < order.size();) {
-            const Composite<L> before = sum;
+            const Sum before = sum;
             const std::size_t begin = i;
             std::uint32_t doubtful = 0;
             do {
                 doubtful |= doubt[i];
                 const Layer& layer = *order[i].layer;
-                sum.add(layer, L::zero_unless(covers(layer, s), real(layer.opacity)));
+                sum = Text::exact_add(sum, covers(layer, s),
+                                      {real(layer.red), real(layer.green), real(layer.blue)},
+                                      real(layer.opacity));
             } while (doubt[i++] != 0 && i < order.size());
             if (doubtful == 0) continue;
-            CompositeLanes from, to;
-            before.store(from);
-            sum.store(to);
+            SumLanes from, to;
+            save(before, from);
+            save(sum, to);
             for (; doubtful != 0; doubtful &= doubtful - 1) {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(doubtful));
                 add_sorted(begin, i, s, lane, from, to);
             }
-            sum.load(to);
+            sum = {{real::load(to.red), real::load(to.green), real::load(to.blue)},
+                   real::load(to.transmittance)};
         }
         return sum;
     }
 
+    static HWY_INLINE void save(const Sum& sum, SumLanes& to)
+    {
+        sum.color.x.store(to.red);
+        sum.color.y.store(to.green);
+        sum.color.z.store(to.blue);
+        sum.transmittance.store(to.transmittance);
+    }
+
     // Layers [begin, end) of the common order, in their precise order at sample s + lane.
     void add_sorted(std::size_t begin, std::size_t end, std::size_t s, std::size_t lane,
-                    const CompositeLanes& from, CompositeLanes& to)
+                    const SumLanes& from, SumLanes& to)
     {
         if (sample_order.size() < end - begin) sample_order.resize(end - begin);
         std::size_t size = 0;
@@ -306,20 +337,17 @@ struct ExactStore {
         if (end - begin > kInsertionSortMost) {
             std::sort(sample_order.data(), sample_order.data() + size);
         }
-        float red = from.red[lane], green = from.green[lane], blue = from.blue[lane];
-        float transmittance = from.transmittance[lane];
+        using One = ExactText<Lone<float>>;
+        typename One::ExactSum sum{{from.red[lane], from.green[lane], from.blue[lane]},
+                                   from.transmittance[lane]};
         for (std::size_t i = 0; i < size; ++i) {
             const Layer& layer = *sample_order[i].layer;
-            const float weight = transmittance * layer.opacity;
-            red = red + weight * layer.red;
-            green = green + weight * layer.green;
-            blue = blue + weight * layer.blue;
-            transmittance = transmittance * (1.0f - layer.opacity);
+            sum = One::exact_add(sum, true, {layer.red, layer.green, layer.blue}, layer.opacity);
         }
-        to.red[lane] = red;
-        to.green[lane] = green;
-        to.blue[lane] = blue;
-        to.transmittance[lane] = transmittance;
+        to.red[lane] = sum.color.x;
+        to.green[lane] = sum.color.y;
+        to.blue[lane] = sum.color.z;
+        to.transmittance[lane] = sum.transmittance;
     }
 
     HWY_INLINE mask covers(const Layer& layer, std::size_t s) const
@@ -341,7 +369,7 @@ namespace sheer {
 
 HWY_EXPORT(exact_store);
 
-StoreVerbs exact_verbs(TargetSet targets, int samples)
+StoreVerbs exact_verbs(TargetSet targets, const ChosenMethod&, int samples)
 {
     return SHEER_DISPATCH(exact_store, targets)(samples);
 }

@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include <sheer/scene.h>
@@ -19,38 +20,73 @@
 
 namespace sheer {
 
-// Colours of a tile's samples, linear and premultiplied. Channel c (red, green, blue, alpha) of
-// sample s of pixel p is element (4 p + c) * samples + s.
-struct SampleColors {
+// `Channels` floats for each sample of a tile. Channel c of sample s of pixel p is element
+// (Channels p + c) * samples + s.
+template <int Channels>
+struct SampleValues {
     int samples = 0;
     AlignedArray<float> values;
 
-    SampleColors() = default;
-    explicit SampleColors(int samples_per_pixel)
-        : samples(samples_per_pixel), values(kTilePixels * 4 * samples_per_pixel)
+    SampleValues() = default;
+    explicit SampleValues(int samples_per_pixel)
+        : samples(samples_per_pixel), values(kTilePixels * Channels * samples_per_pixel)
     {
     }
     float* channel(std::size_t pixel, std::size_t c)
     {
-        return values.data() + (4 * pixel + c) * static_cast<std::size_t>(samples);
+        return values.data() + (Channels * pixel + c) * static_cast<std::size_t>(samples);
     }
     const float* channel(std::size_t pixel, std::size_t c) const
     {
-        return values.data() + (4 * pixel + c) * static_cast<std::size_t>(samples);
+        return values.data() + (Channels * pixel + c) * static_cast<std::size_t>(samples);
     }
+};
+
+// Red, green, blue, alpha: linear and premultiplied.
+using SampleColors = SampleValues<4>;
+
+struct MethodRow;
+
+// A row and its parameters' values, chosen by ID[:NAME=VALUE]...
+struct ChosenMethod {
+    const MethodRow* row;
+    std::vector<std::string> values;  // one for each parameter of the row
+
+    const std::string& value(std::string_view parameter) const;  // of one that the row has
+    std::string parameters_text() const;                         // NAME=VALUE:NAME=VALUE
+};
+
+// Throws Error(Fault::input) that names what does not exist and what does.
+ChosenMethod choose_method(std::string_view text);
+
+// What a fragment's depth says of its distance from the eye, along the axis of view, in metres.
+struct EyeSpace {
+    bool orthographic = false;  // depth is the distance; else -1 / distance
+    float znear = 0, zfar = 0;  // of the camera; zfar 0: none
 };
 
 struct StoreShape {
     const SampleSet* samples;  // outlives the store
+    const ChosenMethod* method;
+    EyeSpace eye;
+    int stream_capacity;                       // most fragments in a stream that is inserted
+    std::size_t most_bytes = ~std::size_t{0};  // for a store without bound: what it may take
+};
+
+// What a store is cleared for.
+struct TilePlace {
+    int x = 0, y = 0;       // the tile's first pixel in the picture
+    std::uint32_t key = 0;  // of the frame's random numbers
 };
 
 // How a store is worked with, for one SIMD level. `store` is what `make` gave; `backdrop` holds the
 // colours behind everything transparent and is replaced by the result.
 struct StoreVerbs {
     std::shared_ptr<void> (*make)(const StoreShape& shape);
-    void (*clear)(void* store);
-    void (*insert)(void* store, const FragmentStream& stream, int pass);
-    void (*merge)(void* store, const void* other);  // null: the method's stores do not merge
+    void (*clear)(void* store, const TilePlace& place);
+    // False: StoreShape::most_bytes do not hold them all; the store is to be cleared.
+    bool (*insert)(void* store, const FragmentStream& stream, int pass);
+    void (*merge)(void* store, const void* other);
     void (*resolve)(void* store, SampleColors& backdrop);
 };
 
@@ -61,9 +97,16 @@ StoreVerbs verbs_of()
     verbs.make = [](const StoreShape& shape) -> std::shared_ptr<void> {
         return std::make_shared<Store>(shape);
     };
-    verbs.clear = [](void* store) { static_cast<Store*>(store)->clear(); };
+    verbs.clear = [](void* store, const TilePlace& place) {
+        static_cast<Store*>(store)->clear(place);
+    };
     verbs.insert = [](void* store, const FragmentStream& stream, int pass) {
-        static_cast<Store*>(store)->insert(stream, pass);
+        if constexpr (std::is_void_v<decltype(static_cast<Store*>(store)->insert(stream, pass))>) {
+            static_cast<Store*>(store)->insert(stream, pass);
+            return true;
+        } else {
+            return static_cast<Store*>(store)->insert(stream, pass);
+        }
     };
     verbs.merge = [](void* store, const void* other) {
         static_cast<Store*>(store)->merge(*static_cast<const Store*>(other));
@@ -81,6 +124,20 @@ enum class Bias {
     neither,
 };
 
+// How well two ways to the same store agree.
+enum class Agreement {
+    none,
+    rounding,  // sums of floats in another order
+    bits,
+};
+
+// The order in which a tile's transparent triangles become fragments.
+enum class Submission {
+    as_given,          // Scene::objects, and each mesh's triangles
+    objects_sorted,    // farthest object first: by the centre of its bounds
+    triangles_sorted,  // farthest triangle first: by its centroid
+};
+
 struct Parameter {
     const char* name;
     const char* values;  // "a|b|c", or "least..most" for whole numbers
@@ -96,27 +153,19 @@ struct MethodRow {
     int passes;                 // over the fragments
     const char* bytes_formula;  // of the store, a pixel; S: samples, N: the pixel's fragments
     double (*bytes_per_pixel)(int samples, double fragments_per_pixel);
-    bool bounded;            // the store does not grow with the number of fragments
-    bool order_independent;  // the same picture for every order of arrival
-    bool coloured;           // honours coloured transmittance
+    bool bounded;         // the store does not grow with the number of fragments
+    Agreement any_order;  // of the stores for every order of arrival
+    Agreement merge;      // of merged parts with the whole; none: merges in order of arrival only
+    bool coloured;        // honours coloured transmittance
     Bias bias;
     int exact_up_to;  // fragments a sample; -1: any number; 0: none
+    bool random;      // the picture depends on the seed
     bool bench_only;
-    StoreVerbs (*verbs)(TargetSet targets, int samples);
+    Submission (*submission)(const ChosenMethod& method);  // null: as given
+    StoreVerbs (*verbs)(TargetSet targets, const ChosenMethod& method, int samples);
 };
 
 // The one table, in the order in which help and reports list it.
 std::span<const MethodRow> method_table();
-
-// A row and its parameters' values, chosen by ID[:NAME=VALUE]...
-struct ChosenMethod {
-    const MethodRow* row;
-    std::vector<std::string> values;  // one for each parameter of the row
-
-    std::string parameters_text() const;  // NAME=VALUE:NAME=VALUE
-};
-
-// Throws Error(Fault::input) that names what does not exist and what does.
-ChosenMethod choose_method(std::string_view text);
 
 }  // namespace sheer

@@ -7,7 +7,7 @@ namespace {
 
 struct NoStore {
     explicit NoStore(const StoreShape&) {}
-    void clear() {}
+    void clear(const TilePlace&) {}
     void insert(const FragmentStream&, int) {}
     void merge(const NoStore&) {}
     void resolve(SampleColors&) {}
@@ -15,7 +15,7 @@ struct NoStore {
 
 }  // namespace
 
-StoreVerbs none_verbs(TargetSet, int)
+StoreVerbs none_verbs(TargetSet, const ChosenMethod&, int)
 {
     return verbs_of<NoStore>();
 }

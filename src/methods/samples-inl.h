@@ -7,6 +7,7 @@
 #endif
 
 #include "lanes/lanes-inl.h"
+#include "lanes/text.h"
 #include "methods/method.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,14 +21,108 @@ HWY_INLINE typename L::mask sample_mask(const FragmentStream& f, std::size_t i, 
     return L::mask_of_bits(word >> (s & 31));
 }
 
-// A backdrop's alpha A behind transmittance T becomes 1 - T (1 - A).
-template <class L>
-HWY_INLINE void over_alpha(typename L::real transmittance, float* alpha)
+// Three channels of the same samples.
+template <class Text>
+HWY_INLINE typename Text::real3 load_color(const float* at, std::size_t samples)
 {
+    using real = typename Text::real;
+    return {real::load(at), real::load(at + samples), real::load(at + 2 * samples)};
+}
+template <class Text>
+HWY_INLINE void save_color(typename Text::real3 color, float* at, std::size_t samples)
+{
+    color.x.store(at);
+    color.y.store(at + samples);
+    color.z.store(at + 2 * samples);
+}
+
+// Makes B of a sample, in front of which what a store keeps lets the part `transmittance` through.
+template <class Text, class Resolve>
+HWY_INLINE void resolve_samples(SampleColors& backdrop, std::size_t pixel, std::size_t s,
+                                Resolve&& resolve)
+{
+    using real = typename Text::real;
+    const auto samples = static_cast<std::size_t>(backdrop.samples);
+    float* color = backdrop.channel(pixel, 0) + s;
+    float* alpha = backdrop.channel(pixel, 3) + s;
+    real transmittance;
+    const auto result = resolve(load_color<Text>(color, samples), transmittance);
+    save_color<Text>(result, color, samples);
+    Text::over_alpha(transmittance, real::load(alpha)).store(alpha);
+}
+
+// A text's store at every sample of a tile. Method names the text's store and verbs and says how
+// the store lies in kChannels floats a sample:
+//   Text, Store, kChannels, clear(), merge(a, b), resolve(store, backdrop, transmittance),
+//   load(at, samples), save(store, at, samples)
+template <class Method>
+struct SampleStore {
+    using Text = typename Method::Text;
+    using L = typename Method::L;
     using real = typename L::real;
-    // Written so that T = 1 leaves A as it is, bit for bit.
-    const real behind = real::load(alpha);
-    (behind + (real(1.0f) - transmittance) * (real(1.0f) - behind)).store(alpha);
+    using mask = typename L::mask;
+    using real3 = typename Text::real3;
+
+    SampleValues<Method::kChannels> kept;
+
+    explicit SampleStore(const StoreShape& shape) : kept(shape.samples->count) {}
+
+    // Calls visit(pixel, s) for each vector of samples of the tile.
+    template <class Visit>
+    HWY_INLINE void for_each(Visit&& visit) const
+    {
+        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
+            for (std::size_t s = 0; s < count(); s += L::kCount) visit(pixel, s);
+        }
+    }
+    std::size_t count() const { return static_cast<std::size_t>(kept.samples); }
+    HWY_INLINE auto load(std::size_t pixel, std::size_t s) const
+    {
+        return Method::load(kept.channel(pixel, 0) + s, count());
+    }
+    HWY_INLINE void save(const typename Method::Store& store, std::size_t pixel, std::size_t s)
+    {
+        Method::save(store, kept.channel(pixel, 0) + s, count());
+    }
+
+    void clear(const TilePlace&)
+    {
+        for_each([&](std::size_t pixel, std::size_t s)
+                     HWY_ATTR { save(Method::clear(), pixel, s); });
+    }
+    void merge(const SampleStore& other)
+    {
+        for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            save(Method::merge(load(pixel, s), other.load(pixel, s)), pixel, s);
+        });
+    }
+    void resolve(SampleColors& backdrop) const
+    {
+        for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            const auto store = load(pixel, s);
+            resolve_samples<Text>(backdrop, pixel, s,
+                                  [&](real3 behind, real& transmittance) HWY_ATTR {
+                                      return Method::resolve(store, behind, transmittance);
+                                  });
+        });
+    }
+
+    // Replaces the store at each sample of fragment i's pixel by add(store, covered).
+    template <class Add>
+    HWY_INLINE void update(const FragmentStream& f, std::size_t i, Add&& add)
+    {
+        for (std::size_t s = 0; s < count(); s += L::kCount) {
+            const mask covered = sample_mask<L>(f, i, s);
+            save(add(load(f.pixel[i], s), covered), f.pixel[i], s);
+        }
+    }
+};
+
+template <class Text>
+HWY_INLINE typename Text::real3 color_of(const FragmentStream& f, std::size_t i)
+{
+    using real = typename Text::real;
+    return {real(f.red[i]), real(f.green[i]), real(f.blue[i])};
 }
 
 // The verbs of Store<S> with S = min(samples, 16) lanes; more samples are a loop in the store.

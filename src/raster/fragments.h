@@ -13,7 +13,7 @@ namespace sheer {
 struct FragmentRun {
     std::uint32_t first, count;
     std::uint32_t primitive;  // stable identity; breaks ties in depth
-    std::uint32_t object;     // index into Scene::objects
+    std::uint32_t object;     // Object::id
     DepthPlane depth;
 };
 

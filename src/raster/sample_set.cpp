@@ -5,9 +5,14 @@
 
 namespace sheer {
 
-SampleSet make_sample_set(int samples, SamplePositions positions)
+SampleSet make_sample_set(int samples, SamplePositions positions, SubpixelShift shift)
 {
-    const std::vector<SamplePoint> points = sample_pattern(samples, positions);
+    std::vector<SamplePoint> points = sample_pattern(samples, positions);
+    if (positions != SamplePositions::center) {
+        for (SamplePoint& p : points) {
+            p = {(p.x + shift.x) & (kSubpixels - 1), (p.y + shift.y) & (kSubpixels - 1)};
+        }
+    }
     SampleSet set;
     set.count = samples;
     set.centered = positions == SamplePositions::center;

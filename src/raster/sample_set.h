@@ -23,6 +23,12 @@ struct SampleSet {
     std::uint64_t all() const { return count == kMaxSamples ? ~0ull : (1ull << count) - 1; }
 };
 
-SampleSet make_sample_set(int samples, SamplePositions positions);
+// In 1/256 pixel; what leaves the pixel on one side comes back on the other.
+struct SubpixelShift {
+    int x = 0, y = 0;
+};
+
+// Samples at the pixel's centre are not shifted.
+SampleSet make_sample_set(int samples, SamplePositions positions, SubpixelShift shift = {});
 
 }  // namespace sheer

@@ -36,7 +36,8 @@ std::vector<Surface> make_surfaces(const Scene& scene, float exposure)
              m.alpha_cutoff,
              m.alpha_mode,
              m.unlit,
-             !mesh.colors.empty()});
+             !mesh.colors.empty(),
+             object.id});
     }
     return surfaces;
 }

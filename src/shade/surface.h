@@ -1,6 +1,7 @@
 // What shading needs to know of a material and of the light, prepared once a frame.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <sheer/scene.h>
@@ -15,6 +16,7 @@ struct Surface {
     AlphaMode alpha_mode;
     bool unlit;
     bool has_vertex_colors;
+    std::uint32_t id;  // Object::id
 };
 
 // Radiance of a white Lambertian surface of normal n:

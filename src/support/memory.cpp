@@ -7,17 +7,31 @@
 #include <string>
 
 #include <sys/resource.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace sheer {
 
-std::uint64_t peak_memory_bytes()
+namespace {
+
+// A line of /proc/self/status; 0 without one.
+std::uint64_t status_bytes(const std::string& name)
 {
     std::ifstream status("/proc/self/status");
     for (std::string word; status >> word;) {
         std::uint64_t kibibytes = 0;
-        if (word == "VmHWM:" && status >> kibibytes) return kibibytes * 1024;
+        if (word == name && status >> kibibytes) return kibibytes * 1024;
         status.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     }
+    return 0;
+}
+
+}  // namespace
+
+std::uint64_t peak_memory_bytes()
+{
+    if (const std::uint64_t peak = status_bytes("VmHWM:"); peak != 0) return peak;
     rusage usage{};
     if (getrusage(RUSAGE_SELF, &usage) != 0) return 0;
 #ifdef __APPLE__
@@ -26,6 +40,18 @@ std::uint64_t peak_memory_bytes()
     constexpr std::uint64_t kUnit = 1024;
 #endif
     return static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
+}
+
+std::uint64_t resident_memory_bytes()
+{
+    return status_bytes("VmRSS:");
+}
+
+void release_free_memory()
+{
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
 }
 
 void reset_peak_memory()

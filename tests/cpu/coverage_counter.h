@@ -17,7 +17,8 @@ public:
           set_(make_sample_set(samples, positions)),
           counts_(static_cast<std::size_t>(width * height * samples))
     {
-        surfaces_.surfaces.resize(objects, {{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, true, false});
+        surfaces_.surfaces.resize(objects,
+                                  {{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, true, false, 0});
     }
 
     // Counts of sample s of pixel (x, y) at (y width + x) samples + s.
@@ -29,8 +30,10 @@ public:
         OpaqueTile opaque(set_.count, false);
         FragmentStream stream(2048);
         for (tile_ = 0; tile_ < grid_.count(); ++tile_) {
-            const TileJob job{&geometry, &surfaces_, &set_, tile_, grid_.rect(tile_)};
+            const PixelRect rect = grid_.rect(tile_);
+            const TileJob job{&geometry, &surfaces_, &set_, tile_, rect, rect};
             tile_fragments_for(targets)(job, scratch_, opaque, stream, {take, this});
+            take(this, stream);
         }
         return counts_;
     }
@@ -48,7 +51,7 @@ public:
     }
 
 private:
-    static void take(void* context, const FragmentStream& stream)
+    static bool take(void* context, const FragmentStream& stream)
     {
         auto& self = *static_cast<CoverageCounter*>(context);
         const PixelRect rect = self.grid_.rect(self.tile_);
@@ -62,6 +65,7 @@ private:
                     self.counts_[at] + (stream.sample_bits(static_cast<std::size_t>(i)) >> s & 1));
             }
         }
+        return true;
     }
 
     TileGrid grid_;

@@ -77,15 +77,16 @@ void fill_stream(std::span<const Plate> runs, FragmentStream& stream)
 class Tile {
 public:
     Tile(const MethodRow& row, const SampleSet& set)
-        : verbs_(row.verbs(targets_of(Simd::best), set.count)),
-          store_(verbs_.make({&set})),
+        : method_(choose_method(row.id)),
+          verbs_(row.verbs(targets_of(Simd::best), method_, set.count)),
+          store_(verbs_.make({&set, &method_, {true, 0, 0}, kMostFragments})),
           set_(set)
     {
-        verbs_.clear(store_.get());
+        verbs_.clear(store_.get(), {});
     }
     void insert(std::span<const Plate> runs)
     {
-        FragmentStream stream(static_cast<int>(kUsedPixels * runs.size() + 1));
+        FragmentStream stream(kMostFragments);
         fill_stream(runs, stream);
         verbs_.insert(store_.get(), stream, 0);
     }
@@ -103,6 +104,9 @@ public:
     }
 
 private:
+    static constexpr int kMostFragments = 4096;
+
+    ChosenMethod method_;
     StoreVerbs verbs_;
     std::shared_ptr<void> store_;
     const SampleSet& set_;
@@ -173,7 +177,7 @@ TEST(Verbs, OrderIndependentMethodsDoNotSeeTheOrder)
 {
     std::mt19937 random(2);
     for (const MethodRow& row : method_table()) {
-        if (!row.order_independent) continue;
+        if (row.any_order != Agreement::bits) continue;
         for (const int samples : kSampleCounts) {
             const SampleSet set = make_sample_set(samples, SamplePositions::standard);
             std::vector<Plate> runs = random_runs(45, set, random);
@@ -271,7 +275,9 @@ TEST(Methods, ChoosingByText)
         }
         return "";
     };
-    EXPECT_EQ(message("exakt"), "method: there is no method 'exakt'; there are blend, exact");
+    EXPECT_EQ(message("exakt"),
+              "method: there is no method 'exakt'; there are blend, sorted-blend, exact, "
+              "stochastic, weighted-average, wboit");
     EXPECT_EQ(message("exact:k=3"), "method: exact has no parameter 'k'; it has none");
     EXPECT_EQ(message("exact:k"), "method: 'k' is not NAME=VALUE");
 }

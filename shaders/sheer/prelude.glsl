@@ -1,0 +1,24 @@
+// The words that the texts of this folder are written in, for GLSL 4.5 and later. Include it first.
+//
+// A text is pure: values go in, values come out; no bindings, no main, no loop whose length depends
+// on a pixel. In C++ the same words stand for vectors, one pixel or sample a lane
+// (src/lanes/text_words.h), so nothing here branches on a `mask`: `select` takes both sides.
+#ifndef SHEER_PRELUDE
+#define SHEER_PRELUDE
+
+#define real float
+#define real3 vec3
+#define whole uint  // wraps around; compared only below 2^31
+#define mask bool
+
+#define SHEER_FN
+#define SHEER_INOUT(type) inout type
+
+float select(bool m, float a, float b) { return m ? a : b; }
+vec3 select(bool m, vec3 a, vec3 b) { return m ? a : b; }
+uint select(bool m, uint a, uint b) { return m ? a : b; }
+
+float to_real(uint a) { return float(a); }
+uint to_whole(float a) { return uint(a); }  // towards zero; 0 to 2^31
+
+#endif

@@ -1,0 +1,52 @@
+// From what the process has now to what its threads may take.
+#include "cpu/memory_plan.h"
+
+#include <algorithm>
+#include <string>
+
+#include <sheer/error.h>
+
+#include "support/memory.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr std::uint64_t kMiB = 1024 * 1024;
+constexpr std::uint64_t kPixelBytes = 16;
+// An OpenEXR file of noise is as large as its pixels; PNG takes half of that.
+constexpr std::uint64_t kEncodedPixelBytes = kPixelBytes + 1;
+// The allocator's own, stacks, file buffers.
+constexpr std::uint64_t kSlack = 8 * kMiB, kThreadSlack = kMiB;
+// Below this a store that grows splits its tiles too often: several thousand fragments.
+constexpr std::size_t kLeastStore = kMiB;
+
+[[noreturn]] void refuse(std::uint64_t limit, std::uint64_t needed)
+{
+    throw Error(Fault::work, "memory-limit: " + std::to_string(limit / kMiB) +
+                                 " MiB are too little for this scene and picture; " +
+                                 std::to_string((needed + kMiB - 1) / kMiB) + " MiB are needed");
+}
+
+}  // namespace
+
+MemoryPlan plan_memory(const MemoryNeeds& needs)
+{
+    if (needs.limit == 0) return {needs.threads, ~std::size_t{0}};
+    const std::uint64_t base =
+        resident_memory_bytes() + kSlack + needs.pictures * needs.pixels * kPixelBytes;
+    const std::uint64_t growing = static_cast<std::uint64_t>(needs.growing_stores);
+    const std::uint64_t least = needs.thread_bytes + kThreadSlack + growing * kLeastStore;
+    const std::uint64_t needed = base + std::max(least, needs.pixels * kEncodedPixelBytes);
+    if (needed > needs.limit) refuse(needs.limit, needed);
+
+    const std::uint64_t left = needs.limit - base;
+    const auto threads = static_cast<int>(
+        std::min<std::uint64_t>(static_cast<std::uint64_t>(needs.threads), left / least));
+    if (growing == 0) return {threads, 0};
+    const std::uint64_t share =
+        left / static_cast<std::uint64_t>(threads) - needs.thread_bytes - kThreadSlack;
+    return {threads, static_cast<std::size_t>(share / growing)};
+}
+
+}  // namespace sheer

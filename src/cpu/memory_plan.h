@@ -1,0 +1,27 @@
+// How a memory limit is shared out.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace sheer {
+
+struct MemoryNeeds {
+    std::uint64_t limit;       // bytes of the whole process; 0: none
+    std::uint64_t pixels;      // of the picture
+    std::uint64_t pictures;    // of that size that are made at once, and are not there yet
+    std::size_t thread_bytes;  // what each thread holds, but for stores that grow
+    int growing_stores;        // of each thread
+    int threads;               // wanted
+};
+
+struct MemoryPlan {
+    int threads;
+    std::size_t store_bytes;  // for each store that grows
+};
+
+// Throws Error(Fault::work) that says how much is needed when not even one thread can work, or when
+// there is no room to encode the picture afterwards.
+MemoryPlan plan_memory(const MemoryNeeds& needs);
+
+}  // namespace sheer

@@ -1,0 +1,141 @@
+// Streams, passes and halves.
+#include "cpu/tile_passes.h"
+
+#include <limits>
+#include <utility>
+
+#include <sheer/error.h>
+
+namespace sheer {
+
+namespace {
+
+// What is behind everything transparent.
+void fill_backdrop(const OpaqueTile& opaque, const TileSetting& setting, const PixelRect& region,
+                   SampleColors& colors)
+{
+    const auto samples = static_cast<std::size_t>(colors.samples);
+    const float* channels[3] = {opaque.red.data(), opaque.green.data(), opaque.blue.data()};
+    const auto fill_pixel = [&](std::size_t pixel) {
+        for (std::size_t c = 0; c < 4; ++c) {
+            std::fill_n(colors.channel(pixel, c), samples, setting.background[c]);
+        }
+        if (!opaque.any) return;
+        for (std::size_t s = 0; s < samples; ++s) {
+            const std::size_t at = pixel * samples + s;
+            if (opaque.depth[at] == std::numeric_limits<float>::infinity()) continue;
+            for (std::size_t c = 0; c < 3; ++c) colors.channel(pixel, c)[s] = channels[c][at];
+            colors.channel(pixel, 3)[s] = 1.0f;
+        }
+    };
+    const PixelRect& rect = setting.job.rect;
+    for (int y = region.y0; y < region.y1; ++y) {
+        for (int x = region.x0; x < region.x1; ++x) {
+            fill_pixel(static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0));
+        }
+    }
+}
+
+std::pair<PixelRect, PixelRect> halves(const PixelRect& r)
+{
+    const int width = r.x1 - r.x0, height = r.y1 - r.y0;
+    if (width == 1 && height == 1) {
+        throw Error(Fault::work, "memory-limit: too low for all fragments of pixel " +
+                                     std::to_string(r.x0) + "," + std::to_string(r.y0));
+    }
+    PixelRect first = r, second = r;
+    if (width > height) {
+        first.x1 = second.x0 = r.x0 + width / 2;
+    } else {
+        first.y1 = second.y0 = r.y0 + height / 2;
+    }
+    return {first, second};
+}
+
+}  // namespace
+
+TilePasses::TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, int stream_capacity)
+    : fragments_(fragments), opaque_(std::move(opaque)), stream_(stream_capacity)
+{
+}
+
+void TilePasses::keep(const TileSetting& setting)
+{
+    Stopwatch& watch = keeping_[static_cast<std::size_t>(setting.job.submission)];
+    watch.start();
+    bool fits = true;
+    const FragmentConsumer too_long{[](void* context, const FragmentStream&) {
+                                        *static_cast<bool*>(context) = false;
+                                        return false;
+                                    },
+                                    &fits};
+    kept_ = fragments_(setting.job, scratch_, opaque_, stream_, too_long) && fits;
+    watch.stop();
+}
+
+void TilePasses::draw(const TileSetting& setting, TileStore& store, SampleColors& colors)
+{
+    draw_region(setting, setting.job.rect, store, colors);
+}
+
+// True: the store has all fragments of the region.
+bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileStore& store)
+{
+    std::uint64_t fragments = 0;
+    for (int pass = 0; pass < store.passes; ++pass) {
+        fragments = 0;
+        if (kept_) {
+            store.storing.start();
+            const bool held =
+                stream_.size == 0 || store.verbs->insert(store.store.get(), stream_, pass);
+            store.storing.stop();
+            if (!held) return false;
+            fragments = static_cast<std::uint64_t>(stream_.size);
+            continue;
+        }
+        TileJob job = setting.job;
+        job.region = region;
+        store.raster_shade.start();
+        const bool held = rasterise(job, [&](const FragmentStream& stream) {
+            store.raster_shade.stop();
+            store.storing.start();
+            const bool more = store.verbs->insert(store.store.get(), stream, pass);
+            store.storing.stop();
+            store.raster_shade.start();
+            fragments += static_cast<std::uint64_t>(stream.size);
+            return more;
+        });
+        store.raster_shade.stop();
+        if (!held) return false;
+    }
+    store.fragments += fragments;
+    return true;
+}
+
+void TilePasses::draw_region(const TileSetting& setting, const PixelRect& region, TileStore& store,
+                             SampleColors& colors)
+{
+    store.storing.start();
+    store.verbs->clear(store.store.get(), setting.place);
+    store.storing.stop();
+    if (feed(setting, region, store)) {
+        resolve(setting, region, store, colors);
+        return;
+    }
+    kept_ = false;
+    const auto [first, second] = halves(region);
+    draw_region(setting, first, store, colors);
+    draw_region(setting, second, store, colors);
+}
+
+// Outside the region the store is clear and leaves the colours as they are.
+void TilePasses::resolve(const TileSetting& setting, const PixelRect& region, TileStore& store,
+                         SampleColors& colors)
+{
+    store.resolving.start();
+    fill_backdrop(opaque_, setting, region, colors);
+    store.verbs->resolve(store.store.get(), colors);
+    store.resolving.stop();
+}
+
+}  // namespace sheer

@@ -1,0 +1,98 @@
+// Brings a tile's fragments to stores, as often as they need them.
+//
+// A store that sees them once takes them as they come, in streams of the second-level cache's size.
+// Where they are needed more than once, by several passes, takes or keys, the tile's stream is kept
+// and gone through again; a tile whose stream would be too large is rasterised again instead. A
+// store that grows beyond what it may take has its tile split into halves that are done one after
+// the other.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "cpu/frame.h"
+#include "cpu/stopwatch.h"
+#include "cpu/tile_fragments.h"
+#include "methods/method.h"
+
+namespace sheer {
+
+// The stream and the store of a tile share the second-level cache: about 150 KB of fragments.
+inline constexpr int kStreamFragments = 4096;
+// Enough for all of a usual tile.
+inline constexpr int kKeptFragments = 32768;
+
+// A store and what it is fed.
+struct TileStore {
+    const StoreVerbs* verbs;
+    std::shared_ptr<void> store;
+    int passes;
+    std::uint64_t fragments = 0;                                // of all pictures drawn with it
+    Stopwatch raster_shade = {}, storing = {}, resolving = {};  // the first: for this store alone
+};
+
+// What is behind the tile's transparent fragments, and how they are rasterised.
+struct TileSetting {
+    TileJob job;  // its region is the whole tile
+    Float4 background;
+    TilePlace place;
+};
+
+class TilePasses {
+public:
+    TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, int stream_capacity);
+
+    // Rasterises the tile for stores that want fragments in the same order, and keeps the stream if
+    // it is not too long. Not needed before `draw`.
+    void keep(const TileSetting& setting);
+    void forget() { kept_ = false; }
+
+    // One picture of the tile: `colors` are what the store makes of its fragments over what is
+    // behind them. Throws Error(Fault::work) when the store can't hold one pixel's.
+    void draw(const TileSetting& setting, TileStore& store, SampleColors& colors);
+
+    // All fragments in order, as for a single pass.
+    template <class Take>
+    void visit(const TileSetting& setting, Take&& take)
+    {
+        rasterise(setting.job, [&](const FragmentStream& stream) {
+            take(stream);
+            return true;
+        });
+    }
+
+    double ms_keeping(Submission submission) const
+    {
+        return keeping_[static_cast<std::size_t>(submission)].ms();
+    }
+
+private:
+    template <class Take>
+    bool rasterise(const TileJob& job, Take&& take);
+    bool feed(const TileSetting& setting, const PixelRect& region, TileStore& store);
+    void draw_region(const TileSetting& setting, const PixelRect& region, TileStore& store,
+                     SampleColors& colors);
+    void resolve(const TileSetting& setting, const PixelRect& region, TileStore& store,
+                 SampleColors& colors);
+
+    TileFragmentsFunction fragments_;
+    TileScratch scratch_;
+    OpaqueTile opaque_;
+    FragmentStream stream_;
+    bool kept_ = false;                 // stream_ and opaque_ are the whole tile's
+    std::array<Stopwatch, 3> keeping_;  // by Submission
+};
+
+template <class Take>
+bool TilePasses::rasterise(const TileJob& job, Take&& take)
+{
+    const FragmentConsumer consumer{[](void* context, const FragmentStream& stream) {
+                                        return (*static_cast<Take*>(context))(stream);
+                                    },
+                                    &take};
+    return fragments_(job, scratch_, opaque_, stream_, consumer) &&
+           (stream_.size == 0 || take(stream_));
+}
+
+}  // namespace sheer

@@ -1,0 +1,138 @@
+// Weighted blended order-independent transparency: shaders/sheer/wboit.glsl at every sample.
+//
+// A fragment's weight is that of the distance at its pixel's centre, as on a GPU. 20 bytes a
+// sample.
+#include "methods/method.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "methods/wboit.cpp"
+#include "lanes/targets.h"
+
+#include <hwy/foreach_target.h>
+
+#include "methods/samples-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sheer::HWY_NAMESPACE {
+
+template <class L>
+struct WboitText {
+#include "lanes/text_words.h"
+#include "sheer/over.glsl"
+#include "sheer/wboit.glsl"
+};
+
+template <int S>
+struct WboitMethod {
+    using L = Lanes<S>;
+    using Text = WboitText<L>;
+    using Store = typename Text::WboitStore;
+    using real3 = typename Text::real3;
+    using real = typename L::real;
+    static constexpr int kChannels = 5;
+
+    static HWY_INLINE Store clear() { return Text::wboit_clear(); }
+    static HWY_INLINE Store merge(Store a, Store b) { return Text::wboit_merge(a, b); }
+    static HWY_INLINE real3 resolve(Store s, real3 backdrop, real& transmittance)
+    {
+        transmittance = s.transmittance;
+        return Text::wboit_resolve(s, backdrop);
+    }
+    static HWY_INLINE Store load(const float* at, std::size_t samples)
+    {
+        return {load_color<Text>(at, samples), real::load(at + 3 * samples),
+                real::load(at + 4 * samples)};
+    }
+    static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
+    {
+        save_color<Text>(s.color, at, samples);
+        s.weight.store(at + 3 * samples);
+        s.transmittance.store(at + 4 * samples);
+    }
+};
+
+template <int S>
+struct WboitTile : SampleStore<WboitMethod<S>> {
+    using Base = SampleStore<WboitMethod<S>>;
+    using typename Base::Text;
+    using Block = Lanes<16>;  // of fragments
+
+    int equation;
+    EyeSpace eye;
+    AlignedArray<float> weights;  // of the stream's fragments
+
+    explicit WboitTile(const StoreShape& shape)
+        : Base(shape),
+          equation(equation_of(shape.method->value("weight"))),
+          eye(shape.eye),
+          weights(shape.stream_capacity + FragmentStream::kSlack)
+    {
+    }
+
+    static int equation_of(const std::string& weight)
+    {
+        return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
+    }
+
+    void insert(const FragmentStream& f, int)
+    {
+        weigh(f);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
+            const auto color = color_of<Text>(f, i);
+            const typename Base::real opacity(f.opacity[i]), weight(weights[i]);
+            this->update(f, i, [&](auto store, auto covered) HWY_ATTR {
+                return Text::wboit_insert(store, covered, color, opacity, weight);
+            });
+        }
+    }
+
+    void weigh(const FragmentStream& f)
+    {
+        using Real = typename Block::real;
+        for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
+            const FragmentRun& run = f.runs[r];
+            const Real least(run.depth.least), most(run.depth.most);
+            for (std::size_t i = run.first; i < run.first + run.count; i += Block::kCount) {
+                // The plane at the centre of a pixel at the triangle's edge may lie behind the eye.
+                const Real at_center = Real::load(f.depth.data() + i);
+                const Real depth = Block::min(Block::max(at_center, least), most);
+                const Real z = eye.orthographic ? depth : Real(-1.0f) / depth;
+                WboitText<Block>::wboit_weight(equation, z, buffer_depth(z),
+                                               Real::load(f.opacity.data() + i))
+                    .store(weights.data() + i);
+            }
+        }
+    }
+
+    // What a depth buffer between znear and zfar has at distance z, or one without an end.
+    template <class Real>
+    HWY_INLINE Real buffer_depth(Real z) const
+    {
+        const Real znear(eye.znear), zfar(eye.zfar);
+        if (eye.orthographic) {
+            return eye.zfar > eye.znear ? (z - znear) / (zfar - znear) : Real(0.0f);
+        }
+        return eye.zfar > 0 ? (znear * zfar / z - zfar) / (znear - zfar) : Real(1.0f) - znear / z;
+    }
+};
+
+StoreVerbs wboit_store(int samples)
+{
+    return verbs_for_samples<WboitTile>(samples);
+}
+
+}  // namespace sheer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace sheer {
+
+HWY_EXPORT(wboit_store);
+
+StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod&, int samples)
+{
+    return SHEER_DISPATCH(wboit_store, targets)(samples);
+}
+
+}  // namespace sheer
+#endif
