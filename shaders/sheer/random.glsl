@@ -26,12 +26,18 @@ SHEER_FN whole fragment_seed(whole pixel, whole identity)
     return hash_whole(identity + pixel);
 }
 
-// The next number of the sequence that begins at a seed: 24 bits.
-SHEER_FN whole next_random(SHEER_INOUT(whole) state)
+// The next number of the sequence that begins at a seed: 32 bits.
+SHEER_FN whole next_hash(SHEER_INOUT(whole) state)
 {
     // Weyl's sequence (2^32 / golden ratio, odd) goes through all states and keeps them apart.
     state = state + whole(0x9e3779b9u);
-    return hash_whole(state) >> 8;
+    return hash_whole(state);
+}
+
+// The same with 24 bits, so that it compares and multiplies without overflow.
+SHEER_FN whole next_random(SHEER_INOUT(whole) state)
+{
+    return next_hash(state) >> 8;
 }
 
 // The same as a real in [0, 1).

@@ -6,64 +6,90 @@
 // Depth, id and colour for each sample.
 // Needs prelude.glsl, random.glsl.
 
-// A fragment's random samples: sample i in bit i, from 32 on in bit i - 32 of `high`.
+// A fragment's random samples: sample i in bit i, from 32 on in bit i - 32 of `high`. Bits beyond
+// the number of samples mean nothing.
 struct SampleBits {
     whole low;
     whole high;
 };
 
-// Every sample for itself, with probability `opacity`.
+// floor(x + xi), but exact: the sum would be rounded.
+SHEER_FN whole rounded_at_random(real x, real xi)
+{
+    whole least = to_whole(x);
+    mask one_more = xi < x - to_real(least);
+    return least + select(one_more, whole(1u), whole(0u));
+}
+
+// With sample r, or with t where r is among them already, if `wanted`.
+SHEER_FN SampleBits with_one_more(SampleBits bits, whole r, whole t, mask wanted, int samples)
+{
+    whole none = whole(0u);
+    whole r_bit = whole(1u) << (r & whole(31u));
+    whole t_bit = whole(1u) << (t & whole(31u));
+    if (samples <= 32) {
+        mask is_new = (bits.low & r_bit) == none;
+        bits.low = bits.low | select(wanted, select(is_new, r_bit, t_bit), none);
+        return bits;
+    }
+    mask r_is_low = r < whole(32u);
+    mask is_new = (select(r_is_low, bits.low, bits.high) & r_bit) == none;
+    mask is_low = select(is_new, r, t) < whole(32u);
+    whole bit = select(wanted, select(is_new, r_bit, t_bit), none);
+    bits.low = bits.low | select(is_low, bit, none);
+    bits.high = bits.high | select(is_low, none, bit);
+    return bits;
+}
+
+// Every sample for itself, with probability `opacity`. A number of the sequence serves two samples,
+// 16 bits each; the threshold is rounded at random to as many, so that none is favoured.
 SHEER_FN SampleBits naive_mask(whole seed, real opacity, int samples)
 {
     SampleBits bits;
     bits.low = whole(0u);
     bits.high = whole(0u);
+    whole threshold = rounded_at_random(opacity * real(65536.0f), next_random_real(seed));
     whole bit = whole(1u);
-    for (int i = 0; i < samples; ++i) {
-        mask taken = next_random_real(seed) < opacity;
-        if (i == 32) bit = whole(1u);
-        if (i < 32) {
-            bits.low = bits.low | select(taken, bit, whole(0u));
-        } else {
-            bits.high = bits.high | select(taken, bit, whole(0u));
-        }
+    for (int i = 0; i < samples; i += 2) {
+        whole random = next_hash(seed);
+        whole pair = select((random & whole(0xffffu)) < threshold, bit, whole(0u));
         bit = bit + bit;
+        pair = pair | select((random >> 16) < threshold, bit, whole(0u));
+        bit = bit + bit;
+        if (i < 32) {
+            bits.low = bits.low | pair;
+        } else {
+            bits.high = bits.high | pair;
+        }
+        if (i == 30) bit = whole(1u);
     }
     return bits;
 }
 
-// R = floor(opacity S + xi), xi in [0, 1). opacity S, which is exact, is cut in two first: a sum
-// with xi would be rounded.
-SHEER_FN whole stratified_count(real xi, real opacity, int samples)
-{
-    real expected = opacity * to_real(whole(samples));
-    whole least = to_whole(expected);
-    mask one_more = xi < expected - to_real(least);
-    return least + select(one_more, whole(1u), whole(0u));
-}
-
-// R samples, every choice of R among S alike: each sample in turn is taken with probability
-// (still to take) / (still to come). Knuth. The Art of Computer Programming 2, 3.4.2, algorithm S.
+// R of S samples, every choice alike, R = floor(opacity S + xi) with a random xi in [0, 1).
+//
+// A sample for each of R numbers: with t from S - R on, a random one of 0 to t, or t itself where
+// that is taken already. Floyd, in Bentley. Programming Pearls: A Sample of Brilliance. CACM 30(9),
+// 1987. Where R is more than half of S, the S - R that are left out are chosen instead.
 SHEER_FN SampleBits stratified_mask(whole seed, real opacity, int samples)
 {
+    whole all = whole(samples);
+    whole taken = rounded_at_random(opacity * to_real(all), next_random_real(seed));
+    mask inverted = all < taken + taken;
+    whole chosen = select(inverted, all - taken, taken);
     SampleBits bits;
     bits.low = whole(0u);
     bits.high = whole(0u);
-    whole to_take = stratified_count(next_random_real(seed), opacity, samples);
-    whole bit = whole(1u);
-    for (int i = 0; i < samples; ++i) {
-        // 24 bits times at most 64, against at most 64 times 2^24.
-        whole scaled = next_random(seed) * whole(samples - i);
-        mask taken = scaled < (to_take << 24);
-        to_take = to_take - select(taken, whole(1u), whole(0u));
-        if (i == 32) bit = whole(1u);
-        if (i < 32) {
-            bits.low = bits.low | select(taken, bit, whole(0u));
-        } else {
-            bits.high = bits.high | select(taken, bit, whole(0u));
-        }
-        bit = bit + bit;
+    whole t = all - chosen;
+    for (int i = 0; i < samples / 2; ++i) {
+        // 24 bits times at most 64.
+        whole r = (next_random(seed) * (t + whole(1u))) >> 24;
+        bits = with_one_more(bits, r, t, whole(i) < chosen, samples);
+        t = t + whole(1u);
     }
+    whole flip = select(inverted, whole(0xffffffffu), whole(0u));
+    bits.low = bits.low ^ flip;
+    bits.high = bits.high ^ flip;
     return bits;
 }
 

@@ -135,13 +135,7 @@ void add_own_options(CLI::App& command, BenchRequest& request)
         ->option_text(" ");
     add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
               [&request](auto&, auto& text) { request.methods = split(text, ','); });
-    add_value(command, "--samples", "S,...", "Samples a pixel, one row each (8)",
-              [&request](auto& option, auto& text) {
-                  request.samples.clear();
-                  for (const std::string& part : split(text, ',')) {
-                      request.samples.push_back(parse_whole(option, part, 1, 64));
-                  }
-              });
+    add_samples_list(command, request.samples);
     add_value(command, "--repeat", "N", "Rounds, after one that isn't measured (11)",
               [&request](auto& option, auto& text) {
                   request.repeat = parse_whole(option, text, 1, 10'000);

@@ -10,5 +10,7 @@ void add_render_command(CLI::App& tool);
 void add_info_command(CLI::App& tool);
 void add_methods_command(CLI::App& tool);
 void add_bench_command(CLI::App& tool);
+void add_compare_command(CLI::App& tool);
+void add_diff_command(CLI::App& tool);
 
 }  // namespace sheer

@@ -56,11 +56,15 @@ void add_commands(CLI::App& tool)
     add_info_command(tool);
     add_methods_command(tool);
     add_bench_command(tool);
+    add_compare_command(tool);
+    add_diff_command(tool);
     tool.footer("'sheer COMMAND --help' says more about a command.\n\n" +
                 examples_help({"sheer render builtin:motor -o motor.png",
                                "sheer render scene.glb -o scene.exr --method blend --samples 4",
                                "sheer info scene.glb", "sheer methods",
-                               "sheer bench builtin:motor --size 500x500 --samples 1,8"}) +
+                               "sheer bench builtin:motor --size 500x500 --samples 1,8",
+                               "sheer compare scene.glb -o out",
+                               "sheer diff blend.exr exact.exr -o error.png"}) +
                 "\n" + methods_help() + "\n" + scenes_help());
 }
 

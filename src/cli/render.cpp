@@ -12,6 +12,7 @@
 #include "cli/stats_json.h"
 #include "cli/values.h"
 #include "cli/view_options.h"
+#include "image/write_channels.h"
 #include "image/write_image.h"
 #include "methods/method.h"
 #include "support/progress.h"
@@ -25,6 +26,7 @@ struct RenderRequest {
     std::string scene;
     std::string output;
     std::string stats;
+    std::string channels;
     ViewOptions given;
     bool json = false;
 };
@@ -43,14 +45,20 @@ void check_request(const RenderRequest& request)
     check_view_options(request.given);
     check_method(request.given.options.method);
     check_image_path(request.output);
-    if (request.stats.empty()) return;
-    check_writable(request.stats);
+    if (!request.stats.empty()) check_writable(request.stats);
+    if (!request.channels.empty()) check_channels_path(request.channels);
     std::error_code none;
-    const auto real = [&](const std::string& path) {
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
+    const auto same = [&](const std::string& a, const std::string& b) {
+        const auto real = [&](const std::string& path) {
+            return std::filesystem::weakly_canonical(std::filesystem::absolute(path), none);
+        };
+        return !a.empty() && !b.empty() && real(a) == real(b);
     };
-    if (real(request.stats) == real(request.output)) {
-        throw Error(Fault::input, request.stats + ": is both the picture and its statistics");
+    if (same(request.stats, request.output) || same(request.stats, request.channels)) {
+        throw Error(Fault::input, request.stats + ": is both a picture and its statistics");
+    }
+    if (same(request.channels, request.output)) {
+        throw Error(Fault::input, request.channels + ": is both the picture and its channels");
     }
 }
 
@@ -63,19 +71,23 @@ std::string summary(const RenderRequest& request, const Stats& stats)
            ", " + with_commas(static_cast<std::uint64_t>(std::lround(stats.ms_total))) + " ms\n";
 }
 
-Frame render_with_progress(const Scene& scene, const ViewOptions& given)
+Frame render_with_progress(const Scene& scene, const RenderRequest& request)
 {
     ProgressBar bar("rendering");
-    Options options = given.options;
+    Options options = request.given.options;
+    options.channels = !request.channels.empty();
     options.progress = [&bar](double part) { bar.update(part); };
-    return render(scene, given.view, options);
+    return render(scene, request.given.view, options);
 }
 
 void run_render(const RenderRequest& request)
 {
     check_request(request);
-    const Frame frame = render_with_progress(load(request.scene), request.given);
+    const Frame frame = render_with_progress(load(request.scene), request);
     write_image(request.output, frame.image);
+    if (frame.channels) {
+        write_channels(request.channels, frame.stats.width, frame.stats.height, *frame.channels);
+    }
 
     Json stats = stats_json(frame.stats);
     if (!request.stats.empty()) {
@@ -102,15 +114,20 @@ void add_own_options(CLI::App& command, RenderRequest& request)
               [&request](auto& option, auto& text) {
                   request.given.view.samples = parse_whole(option, text, 1, 64);
               });
-    add_value(command, "--seed", "N", "Of the stochastic methods (0)",
+    add_seed(command, options);
+    add_value(command, "--accumulate", "N", "Average N pictures of a random method (1)",
               [&options](auto& option, auto& text) {
-                  options.seed = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
+                  options.accumulate = parse_whole(option, text, 1, 1'000'000);
               });
     add_value(command, "--backend", "cpu", "Where it runs (cpu)", [](auto& option, auto& text) {
         parse_choice(option, text, std::array<std::pair<const char*, int>, 1>{{{"cpu", 0}}});
     });
     add_value(command, "--stats", "FILE", "Counts, times and memory as JSON",
               [&request](auto&, auto& text) { request.stats = text; });
+    add_value(command, "--channels", "FILE",
+              "Fragments, depth complexity, coverage and depth of the\n"
+              "transparent surfaces, .exr",
+              [&request](auto&, auto& text) { request.channels = text; });
     command.add_flag("--json", request.json, "Print those instead of a line of text")
         ->disable_flag_override();
 }
@@ -128,6 +145,8 @@ void add_render_command(CLI::App& tool)
          "sheer render builtin:motor -o blend.png --method blend --size 640x480",
          "sheer render 'builtin:layers?alpha=0.5&depth=1,2' -o layers.exr --samples 1",
          "sheer render builtin:quads -o quads.png --filter gaussian --stats quads.json",
+         "sheer render builtin:motor -o noisy.exr --method stochastic --seed 7 --accumulate 16",
+         "sheer render builtin:motor -o motor.exr --channels channels.exr --memory-limit 512",
          "sheer render builtin:motor -o side.png --eye 5,3,6 --target 1,0,0 --fov 40"});
     command->footer(examples + "\n" + methods_help() + "\n" + scenes_help());
     command->callback([request] { run_render(*request); });

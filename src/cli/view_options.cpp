@@ -7,6 +7,7 @@
 #include "api/check.h"
 #include "cli/values.h"
 #include "lanes/targets.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -83,6 +84,14 @@ void add_machine_options(CLI::App& command, Options& options)
                   options.threads = parse_whole(option, text, 0, 4096);
               })
         ->group(kGroup);
+    add_value(command, "--memory-limit", "MiB",
+              "What the whole process may take; the picture is the\n"
+              "same with and without (no limit)",
+              [&options](auto& option, auto& text) {
+                  options.memory_limit =
+                      parse_whole<std::uint64_t>(option, text, 1, 1 << 30) * 1024 * 1024;
+              })
+        ->group(kGroup);
     add_value(command, "--simd", "LEVEL",
               "Vector instructions: scalar, sse4, avx2, avx512 or neon;\nhere: " +
                   available_simd_levels() + " (the last of these)",
@@ -111,6 +120,25 @@ void add_view_options(CLI::App& command, ViewOptions& given)
     add_picture_options(command, given.view);
     add_camera_options(command, given.view);
     add_machine_options(command, given.options);
+}
+
+void add_samples_list(CLI::App& command, std::vector<int>& samples)
+{
+    add_value(command, "--samples", "S,...", "Samples a pixel, a row each (8)",
+              [&samples](auto& option, auto& text) {
+                  samples.clear();
+                  for (const std::string& part : split(text, ',')) {
+                      samples.push_back(parse_whole(option, part, 1, 64));
+                  }
+              });
+}
+
+void add_seed(CLI::App& command, Options& options)
+{
+    add_value(command, "--seed", "N", "Of the random methods (0)",
+              [&options](auto& option, auto& text) {
+                  options.seed = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
+              });
 }
 
 void check_view_options(const ViewOptions& given)

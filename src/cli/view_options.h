@@ -16,6 +16,10 @@ struct ViewOptions {
 // is each command's own.
 void add_view_options(CLI::App& command, ViewOptions& given);
 
+// Options of some commands only: a list of numbers of samples, and the seed.
+void add_samples_list(CLI::App& command, std::vector<int>& samples);
+void add_seed(CLI::App& command, Options& options);
+
 // An option whose value reaches `read` as it was typed, with the option's name.
 using ReadValue = std::function<void(const std::string& option, const std::string& text)>;
 CLI::Option* add_value(CLI::App& command, const std::string& names, const std::string& value,

@@ -146,29 +146,45 @@ void check_size(const Imath::Box2i& window)
 
 }  // namespace
 
-std::vector<std::byte> encode_exr(const Image& image)
+std::vector<std::byte> encode_exr(int width, int height, std::span<const ExrChannel> channels)
 {
-    if (image.pixels.empty()) throw Error(Fault::work, "OpenEXR: the picture has no pixels");
+    if (width < 1 || height < 1) throw Error(Fault::work, "OpenEXR: the picture has no pixels");
     try {
-        Imf::Header header(image.width, image.height);
+        Imf::Header header(width, height);
         header.compression() = Imf::ZIP_COMPRESSION;
         Imf::FrameBuffer frame;
-        for (std::size_t c = 0; c < kChannels.size(); ++c) {
-            header.channels().insert(kChannels[c], Imf::Channel(Imf::FLOAT));
+        const auto pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        for (const ExrChannel& channel : channels) {
+            header.channels().insert(channel.name, Imf::Channel(Imf::FLOAT));
+            const std::size_t step = channel.step * sizeof(float);
             // Writing only reads from a slice, though its type does not say so.
-            auto& pixels = const_cast<Image&>(image);
-            frame.insert(kChannels[c], slice_of(pixels, c, header.dataWindow()));
+            frame.insert(
+                channel.name,
+                Imf::Slice::Make(Imf::FLOAT, const_cast<float*>(channel.first), header.dataWindow(),
+                                 step, step * static_cast<std::size_t>(width)));
         }
         MemoryOutput stream;
+        // As much as noise takes, so that nothing is ever moved; what is not used costs nothing.
+        stream.bytes.reserve(pixels * channels.size() * sizeof(float) * 65 / 64 + 65536);
         {
             Imf::OutputFile file(stream, header, kNoThreads);
             file.setFrameBuffer(frame);
-            file.writePixels(image.height);
+            file.writePixels(height);
         }
         return std::move(stream.bytes);
     } catch (const std::exception& error) {
         throw Error(Fault::work, std::string("OpenEXR: ") + error.what());
     }
+}
+
+std::vector<std::byte> encode_exr(const Image& image)
+{
+    std::array<ExrChannel, 4> channels{};
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        channels[c] = {kChannels[c], image.pixels.empty() ? nullptr : &image.pixels[0][c], 4};
+    }
+    const bool empty = image.pixels.empty();
+    return encode_exr(empty ? 0 : image.width, empty ? 0 : image.height, channels);
 }
 
 Image decode_exr(std::span<const std::byte> bytes, const std::string& path)

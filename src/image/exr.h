@@ -14,6 +14,16 @@ namespace sheer {
 // compression. The same picture gives the same bytes.
 std::vector<std::byte> encode_exr(const Image& image);
 
+// One channel of a file: element (x, y) is first[(y * width + x) * step].
+struct ExrChannel {
+    const char* name;
+    const float* first;
+    std::size_t step;
+};
+
+// The same for any channels of a picture of that size.
+std::vector<std::byte> encode_exr(int width, int height, std::span<const ExrChannel> channels);
+
 // Any file with channels R, G and B, or Y for grey; without A it is opaque. The picture is the
 // display window, clear where the data window does not reach. Throws Error (Fault::input), with the
 // path before what is wrong.

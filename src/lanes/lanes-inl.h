@@ -57,6 +57,7 @@ struct Lanes {
         HWY_INLINE explicit real(float x) : v(hn::Set(F(), x)) {}
         static HWY_INLINE real load(const float* p) { return hn::LoadU(F(), p); }
         HWY_INLINE void store(float* p) const { hn::StoreU(v, F(), p); }
+        HWY_INLINE float greatest() const { return hn::GetLane(hn::MaxOfLanes(F(), v)); }
         friend HWY_ATTR HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator*(real a, real b) { return hn::Mul(a.v, b.v); }
@@ -97,6 +98,10 @@ struct Lanes {
         friend HWY_ATTR HWY_INLINE whole operator<<(whole a, int bits)
         {
             return hn::ShiftLeftSame(a.v, bits);
+        }
+        friend HWY_ATTR HWY_INLINE whole operator<<(whole a, whole bits)
+        {
+            return hn::Shl(a.v, bits.v);  // below 32
         }
         friend HWY_ATTR HWY_INLINE mask operator<(whole a, whole b)
         {
@@ -156,6 +161,10 @@ struct Lanes {
     static HWY_INLINE real max(real a, real b) { return select(a > b, a, b); }
     static HWY_INLINE real min(real a, real b) { return select(a < b, a, b); }
     static HWY_INLINE real sqrt(real a) { return hn::Sqrt(a.v); }
+    static HWY_INLINE real gather(const float* base, whole index)
+    {
+        return hn::GatherIndex(F(), base, index.v);
+    }
     static HWY_INLINE whole gather(const std::uint32_t* base, whole index)
     {
         return hn::BitCast(I(), hn::GatherIndex(U(), base, index.v));

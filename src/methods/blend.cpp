@@ -50,8 +50,8 @@ struct BlendMethod {
 };
 
 template <int S>
-struct BlendTile : SampleStore<BlendMethod<S>> {
-    using Base = SampleStore<BlendMethod<S>>;
+struct BlendTile : SampleStore<S, BlendMethod<S>> {
+    using Base = SampleStore<S, BlendMethod<S>>;
     using Base::Base;
     using typename Base::Text;
 

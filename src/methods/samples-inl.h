@@ -55,7 +55,7 @@ HWY_INLINE void resolve_samples(SampleColors& backdrop, std::size_t pixel, std::
 // the store lies in kChannels floats a sample:
 //   Text, Store, kChannels, clear(), merge(a, b), resolve(store, backdrop, transmittance),
 //   load(at, samples), save(store, at, samples)
-template <class Method>
+template <int S, class Method>
 struct SampleStore {
     using Text = typename Method::Text;
     using L = typename Method::L;
@@ -75,14 +75,20 @@ struct SampleStore {
             for (std::size_t s = 0; s < count(); s += L::kCount) visit(pixel, s);
         }
     }
-    std::size_t count() const { return static_cast<std::size_t>(kept.samples); }
+    // S, which 16 stands for too where there are more.
+    HWY_INLINE std::size_t count() const
+    {
+        return S < 16 ? static_cast<std::size_t>(S) : static_cast<std::size_t>(kept.samples);
+    }
+    HWY_INLINE float* values() { return kept.values.data(); }
+    HWY_INLINE const float* values() const { return kept.values.data(); }
     HWY_INLINE auto load(std::size_t pixel, std::size_t s) const
     {
-        return Method::load(kept.channel(pixel, 0) + s, count());
+        return Method::load(values() + Method::kChannels * pixel * count() + s, count());
     }
     HWY_INLINE void save(const typename Method::Store& store, std::size_t pixel, std::size_t s)
     {
-        Method::save(store, kept.channel(pixel, 0) + s, count());
+        Method::save(store, values() + Method::kChannels * pixel * count() + s, count());
     }
 
     void clear(const TilePlace&)

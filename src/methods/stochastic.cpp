@@ -1,14 +1,17 @@
 // Stochastic transparency: shaders/sheer/stochastic.glsl at every sample.
 //
 // A stream's masks are made first, a fragment a lane; then each fragment goes to the samples of its
-// mask, a sample a lane. 20 bytes a sample.
+// mask, a sample a lane. Fragments behind all that their pixel keeps are left out before that: they
+// would win nothing. 20 bytes a sample.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "methods/stochastic.cpp"
 #include "lanes/targets.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <limits>
 
 #include <hwy/foreach_target.h>
@@ -64,29 +67,46 @@ struct StochasticMethod {
 enum class SeedBy { depth, primitive, object };
 
 template <int S>
-struct StochasticTile : SampleStore<StochasticMethod<S>> {
-    using Base = SampleStore<StochasticMethod<S>>;
+struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
+    using Base = SampleStore<S, StochasticMethod<S>>;
     using typename Base::L;
     using typename Base::Text;
     using Block = Lanes<16>;  // of fragments
     using BlockText = StochasticText<Block>;
 
+    // Fragments between two looks at what pixels keep.
+    static constexpr std::size_t kAtOnce = 2048;
+
     const SampleSet& set;
     bool stratified;
     SeedBy seed_by;
+    // Of the tile's pixels.
     AlignedArray<std::uint32_t> pixel_seeds;
-    // Of the stream's fragments: what their seeds name, and their random samples.
-    AlignedArray<std::uint32_t> identity, low, high;
+    AlignedArray<float> farthest;  // the most depth that a sample keeps, or more
+    // Of the stream's fragments.
+    AlignedArray<std::uint32_t> run_of;     // their runs
+    AlignedArray<std::uint32_t> identity;   // what their seeds name
+    AlignedArray<float> nearest;            // the least depth that they have at a sample, or less
+    AlignedArray<std::uint32_t> low, high;  // their random samples
+    AlignedArray<std::uint32_t> kept;       // the numbers of those that have any
 
     explicit StochasticTile(const StoreShape& shape)
+        : StochasticTile(shape, shape.stream_capacity + FragmentStream::kSlack)
+    {
+    }
+    StochasticTile(const StoreShape& shape, int size)
         : Base(shape),
           set(*shape.samples),
           stratified(shape.method->value("masks") == "stratified"),
           seed_by(seed_by_of(shape.method->value("seed-by"))),
           pixel_seeds(kTilePixels),
-          identity(shape.stream_capacity + FragmentStream::kSlack),
-          low(shape.stream_capacity + FragmentStream::kSlack),
-          high(shape.stream_capacity + FragmentStream::kSlack)
+          farthest(kTilePixels),
+          run_of(size),
+          identity(size),
+          nearest(size),
+          low(size),
+          high(size),
+          kept(size)
     {
     }
 
@@ -106,24 +126,36 @@ struct StochasticTile : SampleStore<StochasticMethod<S>> {
             const whole row = y + whole(i / kTileSize);
             BlockText::pixel_seed(column, row, key).store(pixel_seeds.data() + i);
         }
+        std::fill_n(farthest.data(), kTilePixels, std::numeric_limits<float>::infinity());
     }
 
     void insert(const FragmentStream& f, int)
     {
         name_fragments(f);
-        make_masks(f);
-        for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
-            const FragmentRun& run = f.runs[r];
-            for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-                const std::uint64_t taken = low[i] | std::uint64_t{high[i]} << 32;
-                if (taken != 0) insert_fragment(f, run, i, taken);
-            }
+        const auto size = static_cast<std::size_t>(f.size);
+        for (std::size_t first = 0; first < size; first += kAtOnce) {
+            const std::size_t count = make_masks(f, first, std::min(first + kAtOnce, size));
+            for (std::size_t k = 0; k < count; ++k) insert_fragment(f, kept[k]);
+            find_farthest();
         }
     }
 
-    HWY_INLINE void insert_fragment(const FragmentStream& f, const FragmentRun& run, std::size_t i,
-                                    std::uint64_t taken)
+    void find_farthest()
     {
+        using real = typename L::real;
+        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
+            real most = this->load(pixel, 0).depth;
+            for (std::size_t s = L::kCount; s < this->count(); s += L::kCount) {
+                most = L::max(most, this->load(pixel, s).depth);
+            }
+            farthest[pixel] = most.greatest();
+        }
+    }
+
+    HWY_INLINE void insert_fragment(const FragmentStream& f, std::size_t i)
+    {
+        const FragmentRun& run = f.runs[run_of[i]];
+        const std::uint64_t taken = low[i] | std::uint64_t{high[i]} << 32;
         typename Text::StochasticStore fragment;
         fragment.id = typename L::whole(run.primitive);
         fragment.color = color_of<Text>(f, i);
@@ -137,49 +169,69 @@ struct StochasticTile : SampleStore<StochasticMethod<S>> {
 
     void name_fragments(const FragmentStream& f)
     {
-        if (seed_by == SeedBy::depth) {
-            for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-                identity[i] = std::bit_cast<std::uint32_t>(f.depth[i]);
-            }
-            return;
-        }
-        for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
+        for (std::uint32_t r = 0; r < static_cast<std::uint32_t>(f.run_count); ++r) {
             const FragmentRun& run = f.runs[r];
             const std::uint32_t name = seed_by == SeedBy::object ? run.object : run.primitive;
-            std::fill_n(identity.data() + run.first, run.count, name);
+            const float reach =
+                0.5f * (std::abs(run.depth.dx) + std::abs(run.depth.dy)) + run.depth.slack;
+            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+                run_of[i] = r;
+                identity[i] = name;
+                nearest[i] = std::clamp(f.depth[i] - reach, run.depth.least, run.depth.most);
+            }
+        }
+        if (seed_by != SeedBy::depth) return;
+        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
+            identity[i] = std::bit_cast<std::uint32_t>(f.depth[i]);
         }
     }
 
-    void make_masks(const FragmentStream& f)
+    // Of fragments [first, last); returns how many are kept.
+    std::size_t make_masks(const FragmentStream& f, std::size_t first, std::size_t last)
     {
         if constexpr (S < 16) {
-            make_masks_of<S>(f);
+            return make_masks_of<S>(f, first, last);
         } else {
             switch (set.count) {
-                case 16: return make_masks_of<16>(f);
-                case 32: return make_masks_of<32>(f);
-                default: return make_masks_of<64>(f);
+                case 16: return make_masks_of<16>(f, first, last);
+                case 32: return make_masks_of<32>(f, first, last);
+                default: return make_masks_of<64>(f, first, last);
             }
         }
     }
 
     template <int Samples>
-    void make_masks_of(const FragmentStream& f)
+    std::size_t make_masks_of(const FragmentStream& f, std::size_t first, std::size_t last)
     {
         using whole = typename Block::whole;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); i += Block::kCount) {
+        using Real = typename Block::real;
+        const whole end(static_cast<std::int32_t>(last)), none(0);
+        std::size_t count = 0;
+        for (std::size_t i = first; i < last; i += Block::kCount) {
             // What lies past the stream's end may be any number.
             const whole place = whole::load(f.pixel.data() + i) & whole(kTilePixels - 1);
+            const Real behind = Block::gather(farthest.data(), place);
+            // Written so that what is no number is kept.
+            const auto seen = !(Real::load(nearest.data() + i) > behind);
+            if (!seen.any()) continue;
             const whole pixel = Block::gather(pixel_seeds.data(), place);
             const whole seed = BlockText::fragment_seed(pixel, whole::load(identity.data() + i));
-            const auto opacity = Block::real::load(f.opacity.data() + i);
+            const Real opacity = Real::load(f.opacity.data() + i);
             const auto bits = stratified ? BlockText::stratified_mask(seed, opacity, Samples)
                                          : BlockText::naive_mask(seed, opacity, Samples);
-            (bits.low & whole::load(f.samples.data() + i)).store(low.data() + i);
+            whole any = bits.low & whole::load(f.samples.data() + i);
+            any.store(low.data() + i);
             if constexpr (Samples > 32) {
-                (bits.high & whole::load(f.samples_high.data() + i)).store(high.data() + i);
+                const whole more = bits.high & whole::load(f.samples_high.data() + i);
+                more.store(high.data() + i);
+                any = any | more;
             }
+            const whole number = Block::iota() + whole(static_cast<std::int32_t>(i));
+            const auto keep = seen && number < end && !(any == none);
+            number.store_packed(keep, kept.data() + count);
+            count += static_cast<std::size_t>(keep.count());
         }
+        return count;
     }
 };
 

@@ -52,8 +52,8 @@ struct WboitMethod {
 };
 
 template <int S>
-struct WboitTile : SampleStore<WboitMethod<S>> {
-    using Base = SampleStore<WboitMethod<S>>;
+struct WboitTile : SampleStore<S, WboitMethod<S>> {
+    using Base = SampleStore<S, WboitMethod<S>>;
     using typename Base::Text;
     using Block = Lanes<16>;  // of fragments
 

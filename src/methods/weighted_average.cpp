@@ -49,8 +49,8 @@ struct WeightedAverageMethod {
 };
 
 template <int S>
-struct WeightedAverageTile : SampleStore<WeightedAverageMethod<S>> {
-    using Base = SampleStore<WeightedAverageMethod<S>>;
+struct WeightedAverageTile : SampleStore<S, WeightedAverageMethod<S>> {
+    using Base = SampleStore<S, WeightedAverageMethod<S>>;
     using Base::Base;
     using typename Base::Text;
 

@@ -1,0 +1,207 @@
+// sheer compare: methods side by side on one scene, against the truth.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <system_error>
+
+#include <sheer/sheer.h>
+
+#include "cli/commands.h"
+#include "cli/help_text.h"
+#include "cli/metrics_report.h"
+#include "cli/output.h"
+#include "cli/values.h"
+#include "cli/view_options.h"
+#include "compare/comparison.h"
+#include "compare/error_map.h"
+#include "compare/truth.h"
+#include "image/write_image.h"
+#include "methods/method.h"
+#include "support/progress.h"
+#include "support/text.h"
+#include "support/whole_file.h"
+
+namespace sheer {
+
+namespace {
+
+struct CompareRequest {
+    std::string scene;
+    std::string folder;
+    ViewOptions given;
+    std::vector<std::string> methods;
+    std::vector<int> samples = {8};
+    int seeds = 8;
+    bool json = false;
+};
+
+void check_request(CompareRequest& request)
+{
+    for (const int samples : request.samples) {
+        request.given.view.samples = samples;
+        check_view_options(request.given);
+    }
+    for (const std::string& method : request.methods) {
+        const MethodRow* row = check_option("--methods", [&] { return choose_method(method); }).row;
+        if (row->bench_only) {
+            throw Error(Fault::input,
+                        "--methods: '" + method + "' makes no picture; it is for 'bench'");
+        }
+    }
+}
+
+void make_folder(const std::string& folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (!std::filesystem::is_directory(folder)) {
+        throw Error(Fault::input,
+                    folder + ": can't be made a folder" + (error ? ": " + error.message() : ""));
+    }
+}
+
+// stochastic:masks=naive at 8 samples: "stochastic-masks=naive.s8".
+std::string file_stem(const Compared& compared)
+{
+    std::string name = compared.method;
+    std::replace(name.begin(), name.end(), ':', '-');
+    return name + ".s" + std::to_string(compared.stats.samples);
+}
+
+// Pictures are measured as soon as they are there, and error maps share a scale, so all are kept.
+struct Result {
+    Image truth;
+    std::vector<Compared> all;
+};
+
+Result compare_all(const Scene& scene, CompareRequest& request)
+{
+    ProgressBar bar("comparing");
+    // The truth's passes take most of the time.
+    const double parts = kTruthPasses + static_cast<double>(request.samples.size());
+    double done = 0;
+    Options options = request.given.options;
+    options.progress = [&](double part) { bar.update(part * kTruthPasses / parts); };
+    Result result{render_truth(scene, request.given.view, options), {}};
+    done = kTruthPasses;
+    options.progress = [&](double part) { bar.update((done + part) / parts); };
+    for (const int samples : request.samples) {
+        request.given.view.samples = samples;
+        auto some = compare_methods(scene, request.given.view, options,
+                                    {request.methods, request.seeds}, result.truth);
+        std::move(some.begin(), some.end(), std::back_inserter(result.all));
+        done += 1;
+    }
+    return result;
+}
+
+double write_pictures(const CompareRequest& request, const Result& result)
+{
+    const auto in_folder = [&](const std::string& name) { return request.folder + "/" + name; };
+    double scale = 0;
+    for (const Compared& c : result.all) {
+        scale = std::max(scale, error_scale(c.image, result.truth));
+    }
+    write_image(in_folder("truth.exr"), result.truth);
+    write_image(in_folder("truth.png"), result.truth);
+    for (const Compared& c : result.all) {
+        const std::string stem = in_folder(file_stem(c));
+        write_image(stem + ".exr", c.image);
+        write_image(stem + ".png", c.image);
+        write_image(stem + ".error.png", error_map(c.image, result.truth, scale));
+    }
+    return scale;
+}
+
+void write_text(const std::string& path, const std::string& text)
+{
+    write_whole_file(path, std::as_bytes(std::span(text)));
+}
+
+void run_compare(CompareRequest request)
+{
+    check_request(request);
+    const Scene scene = load(request.scene);
+    make_folder(request.folder);
+    const Result result = compare_all(scene, request);
+    const double scale = write_pictures(request, result);
+
+    std::vector<MetricsRow> rows;
+    for (const Compared& c : result.all) rows.push_back({c, file_stem(c)});
+    Json json = {
+        {"scene", request.scene},
+        {"truth", {{"image", "truth.exr"}, {"samples", truth_samples(request.given.view)}}},
+        {"error_map_scale", scale},
+        {"results", metrics_json(rows)}};
+    write_text(request.folder + "/metrics.csv", metrics_csv(rows));
+    write_text(request.folder + "/metrics.json", json_text(json));
+    print(request.json ? json_text(json)
+                       : metrics_table(rows) + "\n" + one_line(request.folder) +
+                             ": metrics.json, metrics.csv, pictures, error maps (black 0 to "
+                             "yellow " +
+                             fixed(scale, scale < 1 ? 3 : 0) + ")\n");
+}
+
+std::vector<std::string> all_methods()
+{
+    std::vector<std::string> ids;
+    for (const MethodRow& row : method_table()) {
+        if (!row.bench_only) ids.emplace_back(row.id);
+    }
+    return ids;
+}
+
+void add_own_options(CLI::App& command, CompareRequest& request)
+{
+    command.add_option("SCENE", request.scene, "A file, or builtin:NAME")
+        ->required()
+        ->option_text(" ");
+    add_value(command, "-o,--output", "DIR", "A folder for the results, made if missing; required",
+              [&request](auto&, auto& text) { request.folder = text; })
+        ->required();
+    add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
+              [&request](auto&, auto& text) { request.methods = split(text, ','); });
+    add_samples_list(command, request.samples);
+    add_value(command, "--seeds", "N", "Pictures of each random method, 1 to 10,000 (8)",
+              [&request](auto& option, auto& text) {
+                  request.seeds = parse_whole(option, text, 1, 10'000);
+              });
+    add_seed(command, request.given.options);
+    command.add_flag("--json", request.json, "Print metrics.json, not a table")
+        ->disable_flag_override();
+}
+
+constexpr const char* kMeaning =
+    "All errors are in linear colour times 255, not clamped, over pixels, red, green and blue; of\n"
+    "random methods over all seeds.\n"
+    "  rmse         root mean square against the truth: 'exact' at 256 samples a pixel\n"
+    "  rmse same S  the same against 'exact' at the method's own samples, so that jagged edges do\n"
+    "               not count as a fault of the method\n"
+    "  psnr         20 log10(255 / rmse); null in JSON where rmse is 0\n"
+    "  bias         the part of 'rmse same S' that more seeds would not average out\n"
+    "  bias mean    the signed mean of that, for red, green and blue\n"
+    "  noise        standard deviation over the seeds\n"
+    "  x blend      total time over that of 'blend'; 'sheer bench' measures times better\n"
+    "Bias and noise of a random method are unknown (-, null) with one seed.\n";
+
+}  // namespace
+
+void add_compare_command(CLI::App& tool)
+{
+    CLI::App* command =
+        tool.add_subcommand("compare", "Draw a scene by several methods and measure their errors");
+    const auto request = std::make_shared<CompareRequest>();
+    request->methods = all_methods();
+    add_own_options(*command, *request);
+    add_view_options(*command, request->given);
+    const std::string examples = examples_help(
+        {"sheer compare builtin:motor -o motor", "sheer compare scene.glb --samples 4,8,16 -o out",
+         "sheer compare scene.glb --methods wboit,stochastic:masks=naive --seeds 32 -o out"});
+    command->footer(std::string(kMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
+                    scenes_help());
+    command->callback([request] { run_compare(*request); });
+}
+
+}  // namespace sheer

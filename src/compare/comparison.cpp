@@ -1,0 +1,118 @@
+// All takes of one set of samples in one go: the methods' pictures, `exact` and `blend` to measure
+// them by, and the other seeds of those that are random.
+#include "compare/comparison.h"
+
+#include <cmath>
+
+#include "compare/metrics.h"
+#include "cpu/frame.h"
+
+namespace sheer {
+
+namespace {
+
+// Where a method's pictures are among the takes.
+struct Place {
+    std::size_t picture;
+    std::optional<std::size_t> seeds;  // the mean over them, and the variance
+};
+
+struct Plan {
+    std::vector<Take> takes;
+    std::vector<Place> methods;
+    std::size_t exact = 0, blend = 0;
+};
+
+std::size_t add_take(const std::string& method, const Options& options, int seeds, Plan& plan)
+{
+    Take take{choose_method(method), {}, seeds > 1};
+    for (int i = 0; i < seeds; ++i) {
+        take.keys.push_back(frame_key(options.seed + static_cast<std::uint64_t>(i), 0));
+    }
+    plan.takes.push_back(std::move(take));
+    return plan.takes.size() - 1;
+}
+
+Plan make_plan(const Options& options, const ComparisonRequest& request)
+{
+    Plan plan;
+    plan.exact = add_take("exact", options, 1, plan);
+    plan.blend = add_take("blend", options, 1, plan);
+    for (const std::string& method : request.methods) {
+        const MethodRow* row = choose_method(method).row;
+        Place place{};
+        if (row == plan.takes[plan.exact].method.row) {
+            place.picture = plan.exact;
+        } else if (row == plan.takes[plan.blend].method.row) {
+            place.picture = plan.blend;
+        } else {
+            place.picture = add_take(method, options, 1, plan);
+        }
+        if (row->random && request.seeds > 1) {
+            place.seeds = add_take(method, options, request.seeds, plan);
+        }
+        plan.methods.push_back(place);
+    }
+    return plan;
+}
+
+Scores score_picture(const Image& image, bool random, const Image& truth, const Image& exact)
+{
+    const Difference to_truth = compare_images(image, truth);
+    const Difference to_exact = compare_images(image, exact);
+    Scores scores{.rmse = to_truth.rmse,
+                  .rmse_same_s = to_exact.rmse,
+                  .psnr = to_truth.psnr,
+                  .bias = {},
+                  .bias_mean = to_exact.bias_mean,
+                  .noise = {},
+                  .ratio_to_blend = 0};
+    if (!random) {
+        scores.bias = to_exact.rmse;
+        scores.noise = 0.0;
+    }
+    return scores;
+}
+
+Scores score_seeds(const Moments& moments, const Image& truth, const Image& exact)
+{
+    const double to_truth = rmse(moments, truth);
+    return {.rmse = to_truth,
+            .rmse_same_s = rmse(moments, exact),
+            .psnr = psnr_of(to_truth),
+            .bias = bias(moments, exact),
+            .bias_mean = bias_mean(moments, exact),
+            .noise = noise(moments),
+            .ratio_to_blend = 0};
+}
+
+}  // namespace
+
+std::vector<Compared> compare_methods(const Scene& scene, const View& view, const Options& options,
+                                      const ComparisonRequest& request, const Image& truth)
+{
+    const Plan plan = make_plan(options, request);
+    FrameTakes made = render_takes(scene, view, options, plan.takes, {});
+    const TakeFrame& exact = made.frames[plan.exact];
+    const TakeFrame& blend = made.frames[plan.blend];
+    std::vector<Compared> result;
+    for (std::size_t i = 0; i < request.methods.size(); ++i) {
+        const Place& place = plan.methods[i];
+        const TakeFrame& picture = made.frames[place.picture];
+        const bool random = plan.takes[place.picture].method.row->random;
+        Compared compared{request.methods[i], picture.image, picture.stats, 1, {}};
+        if (place.seeds) {
+            TakeFrame& all = made.frames[*place.seeds];
+            const Moments moments{std::move(all.image), std::move(all.variance), request.seeds};
+            compared.seeds = request.seeds;
+            compared.scores = score_seeds(moments, truth, exact.image);
+        } else {
+            compared.scores = score_picture(picture.image, random, truth, exact.image);
+        }
+        compared.scores.ratio_to_blend = picture.stats.ms_total / blend.stats.ms_total;
+        result.push_back(std::move(compared));
+    }
+    return result;
+}
+
+}  // namespace sheer

@@ -1,0 +1,44 @@
+// Methods side by side, over the same fragments, against the truth.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <sheer/render.h>
+#include <sheer/scene.h>
+
+namespace sheer {
+
+// Errors are in linear colour times 255, over pixels, red, green and blue (compare/metrics.h).
+struct Scores {
+    double rmse = 0;  // against the truth; of random methods over the seeds
+    double rmse_same_s =
+        0;            // against `exact` with the same samples: edges are no fault of a method
+    double psnr = 0;  // of rmse
+    // Against `exact` with the same samples, which is what a method without bias gives on average.
+    std::optional<double> bias;         // unknown for a random method and one seed
+    std::array<double, 3> bias_mean{};  // signed
+    std::optional<double> noise;        // standard deviation over seeds; unknown likewise
+    double ratio_to_blend = 0;          // of total times
+};
+
+struct Compared {
+    std::string method;  // as it was asked for
+    Image image;         // of the options' seed
+    Stats stats;
+    int seeds = 1;
+    Scores scores;
+};
+
+struct ComparisonRequest {
+    std::vector<std::string> methods;  // ID[:NAME=VALUE]...
+    int seeds = 8;                     // of random methods: options.seed and those after it
+};
+
+// One entry for each method. Throws Error as `render` does, and for what `choose_method` refuses.
+std::vector<Compared> compare_methods(const Scene& scene, const View& view, const Options& options,
+                                      const ComparisonRequest& request, const Image& truth);
+
+}  // namespace sheer

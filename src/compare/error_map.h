@@ -1,0 +1,21 @@
+// Pictures of where two pictures differ.
+#pragma once
+
+#include <sheer/image.h>
+
+namespace sheer {
+
+// A pixel's error is the root of the mean square, over red, green and blue, of its difference in
+// linear colour times 255; the root of the mean square of all of them is Difference::rmse.
+//
+// The map shows errors from 0 to `scale`, and more as that, from black by violet and orange to pale
+// yellow, and green where the error is infinite or NaN. Equal steps of error look about equal. The
+// picture is linear, as all are: written as PNG it holds the sRGB colours of the table. Throws
+// Error(Fault::input) where the sizes differ.
+Image error_map(const Image& a, const Image& b, double scale);
+
+// A scale for that: 1, 2 or 5 times a power of ten, the least that leaves at most one in a thousand
+// of the differing pixels above it; 0 where none differs. Several maps share the largest of theirs.
+double error_scale(const Image& a, const Image& b);
+
+}  // namespace sheer
