@@ -15,6 +15,7 @@
 #include "image/write_channels.h"
 #include "image/write_image.h"
 #include "methods/method.h"
+#include "support/memory.h"
 #include "support/progress.h"
 #include "support/whole_file.h"
 
@@ -83,12 +84,13 @@ Frame render_with_progress(const Scene& scene, const RenderRequest& request)
 void run_render(const RenderRequest& request)
 {
     check_request(request);
-    const Frame frame = render_with_progress(load(request.scene), request);
+    Frame frame = render_with_progress(load(request.scene), request);
     write_image(request.output, frame.image);
     if (frame.channels) {
         write_channels(request.channels, frame.stats.width, frame.stats.height, *frame.channels);
     }
 
+    frame.stats.peak_memory_bytes = peak_memory_bytes();
     Json stats = stats_json(frame.stats);
     if (!request.stats.empty()) {
         const std::string text = json_text(stats);

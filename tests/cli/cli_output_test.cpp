@@ -60,7 +60,7 @@ TEST(ToolOutput, HelpListsWhatThereIs)
             EXPECT_NE(help.find(scene.parameters), std::string::npos);
         }
     }
-    for (const char* command : {"render", "info", "methods", "bench"}) {
+    for (const char* command : {"render", "info", "methods", "bench", "diff"}) {
         const std::string help = output_of(tool, {command, "--help"});
         EXPECT_EQ(help.find('\t'), std::string::npos);
         EXPECT_NE(help.find("Examples:\n  sheer " + std::string(command)), std::string::npos);

@@ -1,8 +1,10 @@
 // Error maps: the colours, what they stand for, and scales.
 #include "compare/error_map.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,10 @@
 // the answer is to be exact: sums and means of their squares are then exact too.
 #include "compare/metrics.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include <gtest/gtest.h>

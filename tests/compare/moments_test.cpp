@@ -1,5 +1,8 @@
 // Noise, bias and error of random methods, on pictures whose mean and variance are known.
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include <gtest/gtest.h>

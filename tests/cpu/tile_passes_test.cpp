@@ -29,8 +29,7 @@ View small_view(int samples = 4)
 
 std::string with_layers(int count)
 {
-    return "builtin:layers?alpha=0.1&color=1,0,0;0,1,0;0,0,1&n=" +
-           std::to_string(count);
+    return "builtin:layers?alpha=0.1&color=1,0,0;0,1,0;0,0,1&n=" + std::to_string(count);
 }
 
 std::vector<std::string> all_methods()
@@ -64,7 +63,7 @@ void expect_takes_are_renders(const Scene& scene, const View& view)
 // Counts what arrives, pass by pass, and holds only so much.
 struct CountingStore {
     std::size_t most = ~std::size_t{0};
-    std::vector<std::vector<std::uint32_t>> seen;  // of each pass: pixels in order
+    std::vector<std::vector<std::uint32_t>> seen;   // of each pass: pixels in order
     std::map<std::uint32_t, std::size_t> resolved;  // fragments of each pixel
 
     static StoreVerbs verbs()

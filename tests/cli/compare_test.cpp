@@ -1,0 +1,181 @@
+// sheer compare, and the options of render that came with it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run_tool.h"
+#include "image/read_image.h"
+
+namespace sheer::test {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json json_file(const std::string& path)
+{
+    std::ifstream file(path);
+    return Json::parse(file);
+}
+
+const Json& row_of(const Json& metrics, const std::string& method, int samples)
+{
+    for (const Json& row : metrics["results"]) {
+        if (row["method"] == method && row["samples"] == samples) return row;
+    }
+    throw std::runtime_error("no row of " + method);
+}
+
+}  // namespace
+
+TEST(CliCompare, MeasuresAndKeepsThePictures)
+{
+    const Tool tool;
+    const Outcome outcome =
+        tool.run({"compare", "builtin:quads", "--size", "64x48", "--samples", "1,4", "--methods",
+                  "blend,exact,stochastic:masks=naive,wboit", "--seeds", "6", "-o", "out"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json metrics = json_file(tool.file("out/metrics.json"));
+    EXPECT_EQ(metrics["scene"], "builtin:quads");
+    EXPECT_EQ(metrics["truth"]["samples"], 256);
+    ASSERT_EQ(metrics["results"].size(), 8u);
+    for (const Json& row : metrics["results"]) {
+        EXPECT_TRUE(std::filesystem::exists(tool.file("out/" + row["image"].get<std::string>())));
+        EXPECT_TRUE(
+            std::filesystem::exists(tool.file("out/" + row["error_map"].get<std::string>())));
+        EXPECT_GE(row["rmse"], 0);
+        EXPECT_TRUE(row["noise"].is_number());
+        EXPECT_TRUE(row["ms"]["total"].is_number());
+    }
+    for (const int samples : {1, 4}) {
+        const Json& exact = row_of(metrics, "exact", samples);
+        EXPECT_EQ(exact["rmse_same_s"], 0.0);
+        EXPECT_EQ(exact["bias"], 0.0);
+        const Json& blend = row_of(metrics, "blend", samples);
+        EXPECT_EQ(blend["ratio_to_blend"], 1.0);
+        EXPECT_EQ(blend["noise"], 0.0);
+        EXPECT_EQ(blend["bias"], blend["rmse_same_s"]);
+        const Json& stochastic = row_of(metrics, "stochastic", samples);
+        EXPECT_EQ(stochastic["seeds"], 6);
+        EXPECT_EQ(stochastic["parameters"]["masks"], "naive");
+        EXPECT_GT(stochastic["noise"], 0.0);
+    }
+    // A table of what all rows have, and a line for each.
+    std::ifstream csv(tool.file("out/metrics.csv"));
+    std::string line;
+    int lines = 0;
+    while (std::getline(csv, line)) ++lines;
+    EXPECT_EQ(lines, 9);
+}
+
+// What `compare` writes of a method without random numbers is what `render` and `diff` give.
+TEST(CliCompare, AgreesWithRenderAndDiff)
+{
+    const Tool tool;
+    ASSERT_EQ(tool.run({"compare", "builtin:quads", "--size", "40x30", "--methods",
+                        "weighted-average,stochastic", "--seeds", "1", "--seed", "5", "-o", "out"})
+                  .exit_code,
+              0);
+    const Json metrics = json_file(tool.file("out/metrics.json"));
+    const Json& row = row_of(metrics, "weighted-average", 8);
+    const Outcome diff =
+        tool.run({"diff", "out/weighted-average.s8.exr", "out/truth.exr", "--json"});
+    ASSERT_EQ(diff.exit_code, 0) << diff.err;
+    EXPECT_DOUBLE_EQ(Json::parse(diff.out)["rmse"].get<double>(), row["rmse"].get<double>());
+    EXPECT_DOUBLE_EQ(Json::parse(diff.out)["psnr"].get<double>(), row["psnr"].get<double>());
+    ASSERT_EQ(tool.run({"render", "builtin:quads", "--size", "40x30", "--method", "stochastic",
+                        "--seed", "5", "-o", "alone.exr"})
+                  .exit_code,
+              0);
+    EXPECT_EQ(read_image(tool.file("alone.exr")).pixels,
+              read_image(tool.file("out/stochastic.s8.exr")).pixels);
+    EXPECT_TRUE(row_of(metrics, "stochastic", 8)["noise"].is_null());
+    EXPECT_TRUE(row_of(metrics, "stochastic", 8)["bias"].is_null());
+}
+
+TEST(CliCompare, WhatIsWrongIsOneLine)
+{
+    const Tool tool;
+    std::ofstream(tool.file("file")) << "x";
+    const auto error = [&](std::vector<std::string> arguments) {
+        arguments.insert(arguments.begin(), {"compare", "builtin:quads", "--size", "8x8"});
+        const Outcome outcome = tool.run(arguments);
+        EXPECT_EQ(outcome.exit_code, 2);
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_EQ(error({}), "sheer: --output is required; see 'sheer compare --help'\n");
+    EXPECT_EQ(error({"-o", "out", "--methods", "none"}),
+              "sheer: --methods: 'none' makes no picture; it is for 'bench'\n");
+    EXPECT_EQ(error({"-o", "out", "--seeds", "0"}),
+              "sheer: --seeds: '0' is not a whole number from 1 to 10000\n");
+    EXPECT_EQ(error({"-o", "out", "--samples", "3"}),
+              "sheer: --samples: 3 is not one of 1, 2, 4, 8, 16, 32, 64\n");
+    EXPECT_TRUE(error({"-o", "file"}).starts_with("sheer: file: can't be made a folder"));
+    EXPECT_FALSE(std::filesystem::exists(tool.file("out")));
+}
+
+TEST(CliRender, ChannelsAccumulationAndMemory)
+{
+    const Tool tool;
+    const Outcome outcome = tool.run({"render", "builtin:layers", "--size", "16x16", "-o", "a.exr",
+                                      "--method", "stochastic", "--accumulate", "4", "--channels",
+                                      "channels.exr", "--memory-limit", "200"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_GT(std::filesystem::file_size(tool.file("channels.exr")), 0u);
+
+    const Outcome png =
+        tool.run({"render", "builtin:layers", "-o", "b.exr", "--channels", "c.png"});
+    EXPECT_EQ(png.exit_code, 2);
+    EXPECT_EQ(png.err, "sheer: c.png: channels go into an .exr file\n");
+    const Outcome same =
+        tool.run({"render", "builtin:layers", "-o", "b.exr", "--channels", "./b.exr"});
+    EXPECT_EQ(same.exit_code, 2);
+    EXPECT_EQ(same.err, "sheer: ./b.exr: is both the picture and its channels\n");
+    const Outcome small =
+        tool.run({"render", "builtin:layers", "-o", "b.exr", "--memory-limit", "3"});
+    EXPECT_EQ(small.exit_code, 1);
+    EXPECT_TRUE(small.err.starts_with("sheer: memory-limit: 3 MiB are too little")) << small.err;
+    EXPECT_FALSE(std::filesystem::exists(tool.file("b.exr")));
+    const Outcome none = tool.run({"render", "builtin:layers", "-o", "b.exr", "--accumulate", "0"});
+    EXPECT_EQ(none.exit_code, 2);
+}
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose memory is not ours
+
+// The peak is that of the whole process, the picture's file included.
+TEST(CliRender, KeepsItsMemoryLimit)
+{
+    const Tool tool;
+    const auto render = [&](const std::string& method, const std::string& file, const char* limit) {
+        std::vector<std::string> arguments = {"render", "builtin:layers?n=1000&alpha=0.01", "-o",
+                                              file, "--size", "192x108", "--samples", "2",
+                                              "--method", method, "--json"};
+        if (limit != nullptr) arguments.insert(arguments.end(), {"--memory-limit", limit});
+        const Outcome outcome = tool.run(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return Json::parse(outcome.out)["peak_memory_bytes"].get<std::uint64_t>();
+    };
+    const Json methods = Json::parse(tool.run({"methods", "--json"}).out);
+    for (const Json& row : methods["methods"]) {
+        if (row["bench_only"]) continue;
+        const std::string method = row["id"];
+        const std::uint64_t free = render(method, "free.exr", nullptr);
+        const std::uint64_t limited = render(method, "limited.exr", "48");
+        EXPECT_LE(limited, 48u << 20) << method;
+        // Whoever keeps every fragment would take more.
+        if (!row["bounded"]) {
+            EXPECT_GT(free, 96u << 20) << method;
+        }
+        EXPECT_EQ(read_image(tool.file("limited.exr")).pixels,
+                  read_image(tool.file("free.exr")).pixels)
+            << method;
+    }
+}
+
+#endif
+
+}  // namespace sheer::test
