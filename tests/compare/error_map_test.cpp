@@ -134,8 +134,8 @@ TEST(ErrorScale, IsOneTwoOrFiveTimesAPowerOfTen)
          {Case{0, 0}, Case{1, 500}, Case{0.5f, 200}, Case{0.25f, 100}, Case{0.125f, 50},
           Case{0x1p-4f, 20}, Case{0x1p-5f, 10}, Case{0x1p-6f, 5}, Case{0x1p-7f, 2},
           Case{0x1p-8f, 1}, Case{0x1p-9f, 0.5}, Case{0x1p-11f, 0.2}, Case{0x1p-12f, 0.1},
-          Case{0x1p-17f, 0.002}, Case{0x1p-18f, 0.001}, Case{16, 5000}, Case{0x1p20f, 5e8},
-          Case{-1, 500}}) {
+          Case{0x1p-17f, 0.002}, Case{0x1p-18f, 0.001}, Case{0x1p-26f, 5e-6}, Case{16, 5000},
+          Case{0x1p20f, 5e8}, Case{-1, 500}}) {
         EXPECT_EQ(error_scale(grey(3, 3, c.difference), grey(3, 3, 0)), c.scale) << c.difference;
     }
 }
