@@ -67,7 +67,7 @@ class FullestTile {
 public:
     explicit FullestTile(int samples)
         : set_(make_sample_set(samples, SamplePositions::standard)),
-          surfaces_{make_surfaces(motor(), 0), make_light(motor())},
+          surfaces_{make_surfaces(motor(), 0), make_light(motor()), {}, false},
           opaque_(samples, false),
           stream_(kStreamFragments)
     {

@@ -14,11 +14,26 @@
 #define SHEER_FN
 #define SHEER_INOUT(type) inout type
 
-float select(bool m, float a, float b) { return m ? a : b; }
-vec3 select(bool m, vec3 a, vec3 b) { return m ? a : b; }
-uint select(bool m, uint a, uint b) { return m ? a : b; }
+float select(bool m, float a, float b)
+{
+    return m ? a : b;
+}
+vec3 select(bool m, vec3 a, vec3 b)
+{
+    return m ? a : b;
+}
+uint select(bool m, uint a, uint b)
+{
+    return m ? a : b;
+}
 
-float to_real(uint a) { return float(a); }
-uint to_whole(float a) { return uint(a); }  // towards zero; 0 to 2^31
+float to_real(uint a)
+{
+    return float(a);
+}
+uint to_whole(float a)
+{
+    return uint(a);
+}  // towards zero; 0 to 2^31
 
 #endif

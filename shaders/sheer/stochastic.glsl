@@ -21,23 +21,36 @@ SHEER_FN whole rounded_at_random(real x, real xi)
     return least + select(one_more, whole(1u), whole(0u));
 }
 
-// With sample r, or with t where r is among them already, if `wanted`.
-SHEER_FN SampleBits with_one_more(SampleBits bits, whole r, whole t, mask wanted, int samples)
+// Sample i, which may be as many as 1.5 times `samples`: what is beyond them means nothing.
+SHEER_FN SampleBits sample_bit(whole i, int samples)
 {
-    whole none = whole(0u);
-    whole r_bit = whole(1u) << (r & whole(31u));
-    whole t_bit = whole(1u) << (t & whole(31u));
-    if (samples <= 32) {
-        mask is_new = (bits.low & r_bit) == none;
-        bits.low = bits.low | select(wanted, select(is_new, r_bit, t_bit), none);
+    SampleBits bits;
+    bits.high = whole(0u);
+    if (samples <= 16) {
+        bits.low = whole(1u) << i;
         return bits;
     }
-    mask r_is_low = r < whole(32u);
-    mask is_new = (select(r_is_low, bits.low, bits.high) & r_bit) == none;
-    mask is_low = select(is_new, r, t) < whole(32u);
-    whole bit = select(wanted, select(is_new, r_bit, t_bit), none);
-    bits.low = bits.low | select(is_low, bit, none);
-    bits.high = bits.high | select(is_low, none, bit);
+    whole bit = whole(1u) << (i & whole(31u));
+    mask is_low = i < whole(32u);
+    bits.low = select(is_low, bit, whole(0u));
+    bits.high = select(is_low, whole(0u), bit);
+    return bits;
+}
+
+// Adds a random one of samples 0 to t, or t itself where that is there already, if `wanted`. What
+// the choice leaves of `random`, 24 bits, serves another: t + 1 choices take log2(t + 1) bits.
+SHEER_FN SampleBits with_one_more(SampleBits bits, SHEER_INOUT(whole) random, whole t, mask wanted,
+                                  int samples)
+{
+    whole product = random * (t + whole(1u));  // below 2^31
+    random = product & whole(0xffffffu);
+    SampleBits at_r = sample_bit(product >> 24, samples);
+    SampleBits at_t = sample_bit(t, samples);
+    mask is_new = ((bits.low & at_r.low) | (bits.high & at_r.high)) == whole(0u);
+    whole low = select(is_new, at_r.low, at_t.low);
+    whole high = select(is_new, at_r.high, at_t.high);
+    bits.low = bits.low | select(wanted, low, whole(0u));
+    bits.high = bits.high | select(wanted, high, whole(0u));
     return bits;
 }
 
@@ -81,11 +94,11 @@ SHEER_FN SampleBits stratified_mask(whole seed, real opacity, int samples)
     bits.low = whole(0u);
     bits.high = whole(0u);
     whole t = all - chosen;
-    for (int i = 0; i < samples / 2; ++i) {
-        // 24 bits times at most 64.
-        whole r = (next_random(seed) * (t + whole(1u))) >> 24;
-        bits = with_one_more(bits, r, t, whole(i) < chosen, samples);
-        t = t + whole(1u);
+    for (int i = 0; i < samples / 2; i += 2) {
+        whole random = next_random(seed);
+        bits = with_one_more(bits, random, t, whole(i) < chosen, samples);
+        bits = with_one_more(bits, random, t + whole(1u), whole(i + 1) < chosen, samples);
+        t = t + whole(2u);
     }
     whole flip = select(inverted, whole(0xffffffffu), whole(0u));
     bits.low = bits.low ^ flip;

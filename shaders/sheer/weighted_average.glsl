@@ -7,9 +7,9 @@
 // Needs prelude.glsl, over.glsl.
 
 struct WeightedAverageStore {
-    real3 color;    // sum of the premultiplied colours
-    real opacity;   // sum
-    real count;     // exact up to 2^24 fragments
+    real3 color;   // sum of the premultiplied colours
+    real opacity;  // sum
+    real count;    // exact up to 2^24 fragments
 };
 
 SHEER_FN WeightedAverageStore weighted_average_clear()
@@ -31,8 +31,7 @@ SHEER_FN WeightedAverageStore weighted_average_insert(WeightedAverageStore s, ma
     return s;
 }
 
-SHEER_FN WeightedAverageStore weighted_average_merge(WeightedAverageStore a,
-                                                     WeightedAverageStore b)
+SHEER_FN WeightedAverageStore weighted_average_merge(WeightedAverageStore a, WeightedAverageStore b)
 {
     a.color = a.color + b.color;
     a.opacity = a.opacity + b.opacity;
@@ -58,9 +57,7 @@ SHEER_FN real weighted_average_transmittance(WeightedAverageStore s)
 {
     mask any = s.count > real(0.0f);
     real mean = s.opacity / select(any, s.count, real(1.0f));
-    // A mean of opacities of 1 may round to more.
-    real rest = max(real(1.0f) - mean, real(0.0f));
-    return weighted_average_power(rest, s.count);
+    return weighted_average_power(real(1.0f) - mean, s.count);
 }
 
 SHEER_FN real3 weighted_average_resolve(WeightedAverageStore s, real3 backdrop)

@@ -56,7 +56,7 @@ void check_request(const RenderRequest& request)
         return !a.empty() && !b.empty() && real(a) == real(b);
     };
     if (same(request.stats, request.output) || same(request.stats, request.channels)) {
-        throw Error(Fault::input, request.stats + ": is both a picture and its statistics");
+        throw Error(Fault::input, request.stats + ": is both the picture and its statistics");
     }
     if (same(request.channels, request.output)) {
         throw Error(Fault::input, request.channels + ": is both the picture and its channels");

@@ -1,6 +1,8 @@
 // What must be defined where a text of shaders/sheer/ is included (lanes/text_words.h).
 #pragma once
 
+#include "lanes/targets.h"
+
 #include <hwy/highway.h>
 
 #define SHEER_INLINE HWY_ATTR HWY_INLINE

@@ -1,8 +1,8 @@
 // Stochastic transparency: shaders/sheer/stochastic.glsl at every sample.
 //
-// A stream's masks are made first, a fragment a lane; then each fragment goes to the samples of its
-// mask, a sample a lane. Fragments behind all that their pixel keeps are left out before that: they
-// would win nothing. 20 bytes a sample.
+// Of each triangle's fragments those are left out first that lie behind all that their pixel keeps,
+// for they would win nothing. The others' masks are made a fragment a lane; then each goes to the
+// samples of its mask, a sample a lane. 20 bytes a sample.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -10,7 +10,6 @@
 #include "lanes/targets.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -71,42 +70,25 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
     using Base = SampleStore<S, StochasticMethod<S>>;
     using typename Base::L;
     using typename Base::Text;
+    using Method = StochasticMethod<S>;
     using Block = Lanes<16>;  // of fragments
     using BlockText = StochasticText<Block>;
-
-    // Fragments between two looks at what pixels keep.
-    static constexpr std::size_t kAtOnce = 2048;
 
     const SampleSet& set;
     bool stratified;
     SeedBy seed_by;
     // Of the tile's pixels.
-    AlignedArray<std::uint32_t> pixel_seeds;
-    AlignedArray<float> farthest;  // the most depth that a sample keeps, or more
-    // Of the stream's fragments.
-    AlignedArray<std::uint32_t> run_of;     // their runs
-    AlignedArray<std::uint32_t> identity;   // what their seeds name
-    AlignedArray<float> nearest;            // the least depth that they have at a sample, or less
-    AlignedArray<std::uint32_t> low, high;  // their random samples
-    AlignedArray<std::uint32_t> kept;       // the numbers of those that have any
+    AlignedArray<std::uint32_t> pixel_seeds{kTilePixels};
+    AlignedArray<float> farthest{kTilePixels};  // the most depth that a sample keeps
+    // Of a run's fragments that have samples: their numbers in the stream, and the samples.
+    static constexpr std::size_t kMost = kTilePixels + 16;
+    alignas(64) std::uint32_t number[kMost], low[kMost], high[kMost];
 
     explicit StochasticTile(const StoreShape& shape)
-        : StochasticTile(shape, shape.stream_capacity + FragmentStream::kSlack)
-    {
-    }
-    StochasticTile(const StoreShape& shape, int size)
         : Base(shape),
           set(*shape.samples),
           stratified(shape.method->value("masks") == "stratified"),
-          seed_by(seed_by_of(shape.method->value("seed-by"))),
-          pixel_seeds(kTilePixels),
-          farthest(kTilePixels),
-          run_of(size),
-          identity(size),
-          nearest(size),
-          low(size),
-          high(size),
-          kept(size)
+          seed_by(seed_by_of(shape.method->value("seed-by")))
     {
     }
 
@@ -118,7 +100,16 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
 
     void clear(const TilePlace& place)
     {
-        Base::clear(place);
+        // Colours are looked at only where a depth was kept.
+        const auto nothing = Method::clear();
+        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
+            float* depth = this->values() + Method::kChannels * pixel * this->count();
+            float* id = depth + this->count();
+            for (std::size_t s = 0; s < this->count(); s += L::kCount) {
+                nothing.depth.store(depth + s);
+                nothing.id.as_real().store(id + s);
+            }
+        }
         using whole = typename Block::whole;
         const whole key(place.key), x(place.x), y(place.y);
         for (int i = 0; i < kTilePixels; i += Block::kCount) {
@@ -131,107 +122,104 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        name_fragments(f);
-        const auto size = static_cast<std::size_t>(f.size);
-        for (std::size_t first = 0; first < size; first += kAtOnce) {
-            const std::size_t count = make_masks(f, first, std::min(first + kAtOnce, size));
-            for (std::size_t k = 0; k < count; ++k) insert_fragment(f, kept[k]);
-            find_farthest();
-        }
-    }
-
-    void find_farthest()
-    {
-        using real = typename L::real;
-        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            real most = this->load(pixel, 0).depth;
-            for (std::size_t s = L::kCount; s < this->count(); s += L::kCount) {
-                most = L::max(most, this->load(pixel, s).depth);
-            }
-            farthest[pixel] = most.greatest();
-        }
-    }
-
-    HWY_INLINE void insert_fragment(const FragmentStream& f, std::size_t i)
-    {
-        const FragmentRun& run = f.runs[run_of[i]];
-        const std::uint64_t taken = low[i] | std::uint64_t{high[i]} << 32;
-        typename Text::StochasticStore fragment;
-        fragment.id = typename L::whole(run.primitive);
-        fragment.color = color_of<Text>(f, i);
-        for (std::size_t s = 0; s < this->count(); s += L::kCount) {
-            const auto here = L::mask_of_bits(static_cast<std::uint32_t>(taken >> s));
-            fragment.depth = sample_depth<L>(run.depth, set, f.depth[i], s);
-            this->save(Text::stochastic_insert(this->load(f.pixel[i], s), here, fragment),
-                       f.pixel[i], s);
-        }
-    }
-
-    void name_fragments(const FragmentStream& f)
-    {
-        for (std::uint32_t r = 0; r < static_cast<std::uint32_t>(f.run_count); ++r) {
-            const FragmentRun& run = f.runs[r];
-            const std::uint32_t name = seed_by == SeedBy::object ? run.object : run.primitive;
-            const float reach =
-                0.5f * (std::abs(run.depth.dx) + std::abs(run.depth.dy)) + run.depth.slack;
-            for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
-                run_of[i] = r;
-                identity[i] = name;
-                nearest[i] = std::clamp(f.depth[i] - reach, run.depth.least, run.depth.most);
-            }
-        }
-        if (seed_by != SeedBy::depth) return;
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            identity[i] = std::bit_cast<std::uint32_t>(f.depth[i]);
-        }
-    }
-
-    // Of fragments [first, last); returns how many are kept.
-    std::size_t make_masks(const FragmentStream& f, std::size_t first, std::size_t last)
-    {
         if constexpr (S < 16) {
-            return make_masks_of<S>(f, first, last);
+            insert_all<S>(f);
         } else {
             switch (set.count) {
-                case 16: return make_masks_of<16>(f, first, last);
-                case 32: return make_masks_of<32>(f, first, last);
-                default: return make_masks_of<64>(f, first, last);
+                case 16: return insert_all<16>(f);
+                case 32: return insert_all<32>(f);
+                default: return insert_all<64>(f);
             }
         }
     }
 
     template <int Samples>
-    std::size_t make_masks_of(const FragmentStream& f, std::size_t first, std::size_t last)
+    void insert_all(const FragmentStream& f)
+    {
+        for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
+            const FragmentRun& run = f.runs[r];
+            const std::size_t count = make_masks<Samples>(f, run);
+            insert_run<Samples>(f, run, count);
+        }
+    }
+
+    // Returns how many of the run's fragments have samples and may win one.
+    template <int Samples>
+    HWY_INLINE std::size_t make_masks(const FragmentStream& f, const FragmentRun& run)
     {
         using whole = typename Block::whole;
         using Real = typename Block::real;
+        const DepthPlane& plane = run.depth;
+        const Real least(plane.least), most(plane.most);
+        const Real reach(0.5f * (std::abs(plane.dx) + std::abs(plane.dy)) + plane.slack);
+        const whole name(seed_by == SeedBy::object ? run.object : run.primitive);
+        const std::size_t last = run.first + run.count;
         const whole end(static_cast<std::int32_t>(last)), none(0);
         std::size_t count = 0;
-        for (std::size_t i = first; i < last; i += Block::kCount) {
+        for (std::size_t i = run.first; i < last; i += Block::kCount) {
             // What lies past the stream's end may be any number.
-            const whole place = whole::load(f.pixel.data() + i) & whole(kTilePixels - 1);
-            const Real behind = Block::gather(farthest.data(), place);
-            // Written so that what is no number is kept.
-            const auto seen = !(Real::load(nearest.data() + i) > behind);
-            if (!seen.any()) continue;
-            const whole pixel = Block::gather(pixel_seeds.data(), place);
-            const whole seed = BlockText::fragment_seed(pixel, whole::load(identity.data() + i));
+            const whole pixel = whole::load(f.pixel.data() + i) & whole(kTilePixels - 1);
+            const Real at_center = Real::load(f.depth.data() + i);
+            const Real nearest = Block::min(Block::max(at_center - reach, least), most);
+            // Written so that a depth that is no number may win.
+            const auto may_win = !(nearest > Block::gather(farthest.data(), pixel));
+            if (!may_win.any()) continue;
+            const whole identity = seed_by == SeedBy::depth ? whole::bits_of(at_center) : name;
+            const whole seed =
+                BlockText::fragment_seed(Block::gather(pixel_seeds.data(), pixel), identity);
             const Real opacity = Real::load(f.opacity.data() + i);
             const auto bits = stratified ? BlockText::stratified_mask(seed, opacity, Samples)
                                          : BlockText::naive_mask(seed, opacity, Samples);
-            whole any = bits.low & whole::load(f.samples.data() + i);
-            any.store(low.data() + i);
+            const whole low_bits = bits.low & whole::load(f.samples.data() + i);
+            whole any = low_bits, high_bits = none;
             if constexpr (Samples > 32) {
-                const whole more = bits.high & whole::load(f.samples_high.data() + i);
-                more.store(high.data() + i);
-                any = any | more;
+                high_bits = bits.high & whole::load(f.samples_high.data() + i);
+                any = any | high_bits;
             }
-            const whole number = Block::iota() + whole(static_cast<std::int32_t>(i));
-            const auto keep = seen && number < end && !(any == none);
-            number.store_packed(keep, kept.data() + count);
+            const whole numbers = Block::iota() + whole(static_cast<std::int32_t>(i));
+            const auto keep = may_win && numbers < end && !(any == none);
+            numbers.store_packed(keep, number + count);
+            low_bits.store_packed(keep, low + count);
+            if constexpr (Samples > 32) high_bits.store_packed(keep, high + count);
             count += static_cast<std::size_t>(keep.count());
         }
         return count;
+    }
+
+    template <int Samples>
+    HWY_INLINE void insert_run(const FragmentStream& f, const FragmentRun& run, std::size_t count)
+    {
+        using real = typename L::real;
+        constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
+        // Copies, which what is stored below cannot alias.
+        const DepthPlane plane = run.depth;
+        const float *red = f.red.data(), *green = f.green.data(), *blue = f.blue.data();
+        const float* depth = f.depth.data();
+        const std::uint32_t* pixels = f.pixel.data();
+        float *kept = this->values(), *far = farthest.data();
+        real offset[kBlocks];
+        for (std::size_t b = 0; b < kBlocks; ++b) {
+            offset[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
+        }
+        typename Text::StochasticStore fragment;
+        fragment.id = typename L::whole(run.primitive);
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = number[k], pixel = pixels[i];
+            fragment.color = {real(red[i]), real(green[i]), real(blue[i])};
+            real most(-std::numeric_limits<float>::infinity());
+            for (std::size_t b = 0; b < kBlocks; ++b) {
+                const std::size_t s = b * L::kCount;
+                const std::uint32_t word = s < 32 ? low[k] : high[k];
+                const auto taken = L::mask_of_bits(word >> (s & 31));
+                fragment.depth = sample_depth<L>(plane, offset[b], depth[i]);
+                float* at = kept + (Method::kChannels * pixel * Samples + s);
+                const auto store =
+                    Text::stochastic_insert(Method::load(at, Samples), taken, fragment);
+                Method::save(store, at, Samples);
+                most = L::max(most, store.depth);
+            }
+            far[pixel] = most.greatest();
+        }
     }
 };
 

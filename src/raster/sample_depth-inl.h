@@ -12,17 +12,32 @@
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
-// Samples first, first + 1, ... of one pixel. The one expression for depth at a sample: whatever
-// compares depths compares the same bits.
+// How much deeper samples first, first + 1, ... of a pixel are than its centre.
 template <class L>
-HWY_INLINE typename L::real sample_depth(const DepthPlane& plane, const SampleSet& set,
-                                         float center, std::size_t first)
+HWY_INLINE typename L::real sample_depth_offset(const DepthPlane& plane, const SampleSet& set,
+                                                std::size_t first)
 {
     using real = typename L::real;
     const real x = real::load(set.offset_x.data() + first);
     const real y = real::load(set.offset_y.data() + first);
-    const real depth = real(center) + (x * real(plane.dx) + y * real(plane.dy));
-    return L::min(L::max(depth, real(plane.least)), real(plane.most));
+    return x * real(plane.dx) + y * real(plane.dy);
+}
+
+// The one expression for depth at a sample: whatever compares depths compares the same bits.
+template <class L>
+HWY_INLINE typename L::real sample_depth(const DepthPlane& plane, typename L::real offset,
+                                         float center)
+{
+    using real = typename L::real;
+    return L::min(L::max(real(center) + offset, real(plane.least)), real(plane.most));
+}
+
+// Of samples first, first + 1, ... of one pixel.
+template <class L>
+HWY_INLINE typename L::real sample_depth(const DepthPlane& plane, const SampleSet& set,
+                                         float center, std::size_t first)
+{
+    return sample_depth<L>(plane, sample_depth_offset<L>(plane, set, first), center);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

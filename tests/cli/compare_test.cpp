@@ -151,9 +151,12 @@ TEST(CliRender, KeepsItsMemoryLimit)
 {
     const Tool tool;
     const auto render = [&](const std::string& method, const std::string& file, const char* limit) {
-        std::vector<std::string> arguments = {"render", "builtin:layers?n=1000&alpha=0.01", "-o",
-                                              file, "--size", "192x108", "--samples", "2",
-                                              "--method", method, "--json"};
+        std::vector<std::string> arguments = {"render",    "builtin:layers?n=1000&alpha=0.01",
+                                              "-o",        file,
+                                              "--size",    "192x108",
+                                              "--samples", "2",
+                                              "--method",  method,
+                                              "--json"};
         if (limit != nullptr) arguments.insert(arguments.end(), {"--memory-limit", limit});
         const Outcome outcome = tool.run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

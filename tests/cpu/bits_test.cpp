@@ -6,24 +6,11 @@
 
 #include <sheer/sheer.h>
 
-#include "lanes/targets.h"
+#include "simd_levels.h"
 
 namespace sheer {
 
 namespace {
-
-std::vector<Simd> levels()
-{
-    std::vector<Simd> found;
-    for (const Simd level : {Simd::scalar, Simd::sse4, Simd::avx2, Simd::avx512, Simd::neon}) {
-        try {
-            targets_of(level);
-            found.push_back(level);
-        } catch (const Error&) {
-        }
-    }
-    return found;
-}
 
 void expect_same_bits(const std::string& source, const View& view, const std::string& method)
 {
@@ -33,7 +20,7 @@ void expect_same_bits(const std::string& source, const View& view, const std::st
     options.threads = 1;
     options.simd = Simd::scalar;
     const Image expected = render(scene, view, options).image;
-    for (const Simd level : levels()) {
+    for (const Simd level : simd_levels()) {
         for (const int threads : {1, 2, 7}) {
             options.simd = level;
             options.threads = threads;

@@ -1,0 +1,235 @@
+// Every method against its formula in doubles (src/reference), sample by sample, on random
+// fragments.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "methods/every_method.h"
+#include "methods/rounding.h"
+#include "methods/tile_fixture.h"
+#include "reference/methods.h"
+
+namespace sheer {
+
+namespace {
+
+using reference::Fragment;
+using reference::Rgba;
+using Fragments = std::vector<Fragment>;
+
+constexpr EyeSpace kEyes[] = {{true, 0.1f, 500.0f}, {false, 0.1f, 500.0f}, {false, 0.1f, 0.0f}};
+
+reference::WboitWeight weight_of(const std::string& name)
+{
+    if (name == "eq7") return reference::WboitWeight::eq7;
+    if (name == "eq8") return reference::WboitWeight::eq8;
+    if (name == "eq9") return reference::WboitWeight::eq9;
+    return name == "eq10" ? reference::WboitWeight::eq10 : reference::WboitWeight::uniform;
+}
+
+// What the oracle of wboit calls depth, which is z: of the fragment at the pixel's centre.
+double distance_of(const Plate& plate, std::uint32_t pixel, const Setting& setting)
+{
+    const auto depth = static_cast<double>(depth_at_center(plate.depth, pixel));
+    const EyeSpace& eye = setting.eye;
+    if (!eye.orthographic) return -1 / depth;
+    if (setting.method.value("weight") != "eq10") return depth;
+    // Equation 10 is about a depth buffer, and its oracle about a perspective's. An orthographic
+    // one is linear: the distance that has the same depth in it in perspective.
+    const auto znear = static_cast<double>(eye.znear), zfar = static_cast<double>(eye.zfar);
+    const double d = (depth - znear) / (zfar - znear);
+    return znear * zfar / (zfar - d * (zfar - znear));
+}
+
+// One sample of a tile.
+struct Place {
+    std::size_t used, s;
+};
+
+Rgba backdrop_at(const Setting& setting, const Colors& backdrop, Place place)
+{
+    const auto channel = [&](std::size_t c) {
+        return static_cast<double>(
+            backdrop[color_index(*setting.set, tile_pixel(place.used), place.s, c)]);
+    };
+    return {channel(0), channel(1), channel(2), channel(3)};
+}
+
+Rgba wboit_answer(const Setting& setting, const Plates& plates, Rgba behind, Place place)
+{
+    Fragments fragments = fragments_at(plates, *setting.set, place.used, place.s);
+    for (Fragment& fragment : fragments) {
+        fragment.depth = distance_of(plates[fragment.id], tile_pixel(place.used), setting);
+    }
+    return reference::wboit(fragments, weight_of(setting.method.value("weight")),
+                            static_cast<double>(setting.eye.znear),
+                            static_cast<double>(setting.eye.zfar), behind);
+}
+
+// The plates' primitive is their number.
+Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop, Place place)
+{
+    const std::string id = setting.method.row->id;
+    const Rgba behind = backdrop_at(setting, backdrop, place);
+    const Fragments fragments = fragments_at(plates, *setting.set, place.used, place.s);
+    if (id == "none") return behind;
+    if (id == "blend" || id == "sorted-blend") return reference::blend(fragments, behind);
+    if (id == "exact") return reference::composite(fragments, behind);
+    if (id == "weighted-average") return reference::weighted_average(fragments, behind);
+    if (id == "wboit") return wboit_answer(setting, plates, behind, place);
+    ADD_FAILURE() << "there is no oracle for the method '" << id << "'";
+    return behind;
+}
+
+// As `answer`, of a method without faults of its own.
+Rgba exact_answer(const Setting& setting, const Plates& plates, const Colors& backdrop, Place place)
+{
+    return reference::composite(fragments_at(plates, *setting.set, place.used, place.s),
+                                backdrop_at(setting, backdrop, place));
+}
+
+// The largest distance from the oracle over all samples.
+double largest_error(const Setting& setting, const Plates& plates, const Colors& backdrop,
+                     const Colors& result, decltype(answer)& oracle = answer)
+{
+    double most = 0;
+    for (std::size_t used = 0; used < kUsedPixels; ++used) {
+        for (std::size_t s = 0; s < static_cast<std::size_t>(setting.set->count); ++s) {
+            const Rgba expected = oracle(setting, plates, backdrop, {used, s});
+            const double channels[] = {expected.r, expected.g, expected.b, expected.a};
+            for (std::size_t c = 0; c < 4; ++c) {
+                const float got = result[color_index(*setting.set, tile_pixel(used), s, c)];
+                most = std::max(most, std::abs(static_cast<double>(got) - channels[c]));
+            }
+        }
+    }
+    return most;
+}
+
+// Calls check(setting, plates in perspective or not, random).
+template <class Check>
+void for_each_picture(int fragments, Check&& check)
+{
+    unsigned number = 0;
+    for (const ChosenMethod& method : every_method()) {
+        if (method.row->random) continue;
+        for (const SampleSet& set : sample_sets()) {
+            for (const EyeSpace& eye : kEyes) {
+                SCOPED_TRACE(name_of(method) + ", S = " + std::to_string(set.count) +
+                             (eye.orthographic ? "" : ", perspective"));
+                std::mt19937 random(++number);
+                const Plates plates = RandomPlates{set, random, !eye.orthographic}.make(fragments);
+                check(Setting{method, &set, Simd::best, eye}, plates, random);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+TEST(MethodAnswers, EverySampleIsWhatTheFormulaGives)
+{
+    for_each_picture(60, [](const Setting& setting, const Plates& plates, std::mt19937& random) {
+        const Colors backdrop = random_backdrop(*setting.set, random);
+        const Colors result = resolve_plates(setting, plates, backdrop);
+        const double bound = rounding_bound(setting.method, plates.size()).as_formula;
+        EXPECT_LE(largest_error(setting, plates, backdrop, result),
+                  bound * largest_input(plates, backdrop));
+    });
+}
+
+TEST(MethodAnswers, EveryFurtherFragmentKeepsTheBound)
+{
+    for (const int count : {0, 1, 2, 7}) {
+        for_each_picture(count, [](const Setting& setting, const Plates& plates, auto& random) {
+            const Colors backdrop = random_backdrop(*setting.set, random);
+            const Colors result = resolve_plates(setting, plates, backdrop);
+            EXPECT_LE(largest_error(setting, plates, backdrop, result),
+                      rounding_bound(setting.method, plates.size()).as_formula);
+        });
+    }
+}
+
+// And no further; two fragments may be too simple to show that.
+TEST(MethodAnswers, ExactUpToTheNumberThatTheRowSays)
+{
+    for (const int count : {1, 2, 9}) {
+        for_each_picture(count, [](const Setting& setting, const Plates& plates, auto& random) {
+            const Colors backdrop = random_backdrop(*setting.set, random);
+            const double error = largest_error(
+                setting, plates, backdrop, resolve_plates(setting, plates, backdrop), exact_answer);
+            const double bound = rounding_bound(setting.method, plates.size()).as_formula;
+            const int exact_up_to = setting.method.row->exact_up_to;
+            const auto size = static_cast<int>(plates.size());
+            if (exact_up_to < 0 || size <= exact_up_to) {
+                EXPECT_LE(error, bound) << size;
+            } else if (size > exact_up_to + 2) {
+                EXPECT_GT(error, bound) << size;
+            }
+        });
+    }
+}
+
+// A fault in one fragment of eight is far outside of the bound. None of them hides the others.
+TEST(MethodAnswers, FaultsAreFound)
+{
+    for_each_picture(8, [](const Setting& setting, Plates plates, std::mt19937& random) {
+        if (std::string(setting.method.row->id) == "none") return;
+        for (Plate& plate : plates) plate.color[3] = 0.2f + 0.5f * plate.color[3];
+        const Colors backdrop = random_backdrop(*setting.set, random);
+        const double bound = rounding_bound(setting.method, plates.size()).as_formula;
+        const auto found = [&](const Plates& faulty) {
+            const Colors result = resolve_plates(setting, faulty, backdrop);
+            return largest_error(setting, plates, backdrop, result) > 2 * bound;
+        };
+        Plates dropped = plates;
+        dropped.erase(dropped.begin() + 3);
+        EXPECT_TRUE(found(dropped)) << "a fragment less";
+        Plates swapped = plates;
+        std::swap(swapped[2].color, swapped[5].color);
+        EXPECT_TRUE(found(swapped)) << "two fragments' colours and opacities exchanged";
+        Plates fainter = plates;
+        fainter[3].color[3] *= 0.98f;
+        EXPECT_TRUE(found(fainter)) << "an opacity 2 % too small";
+        Plates later = plates;
+        std::swap(later[2], later[5]);
+        EXPECT_EQ(found(later), setting.method.row->any_order == Agreement::none);
+    });
+}
+
+// A random answer is one of the fragments there, or the backdrop; and nothing shows through the
+// first that is opaque.
+TEST(MethodAnswers, AStochasticSampleShowsOneOfItsFragments)
+{
+    for (const ChosenMethod& method : every_choice(*choose_method("stochastic").row)) {
+        for (const SampleSet& set : sample_sets()) {
+            std::mt19937 random(static_cast<unsigned>(set.count));
+            const Setting setting{method, &set};
+            const Plates plates = RandomPlates{set, random}.make(24);
+            const Colors backdrop = random_backdrop(set, random);
+            const Colors result = resolve_plates(setting, plates, backdrop);
+            for (std::size_t used = 0; used < kUsedPixels; ++used) {
+                for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); ++s) {
+                    Fragments fragments = fragments_at(plates, set, used, s);
+                    std::sort(fragments.begin(), fragments.end(),
+                              [](const Fragment& a, const Fragment& b) {
+                                  return a.depth < b.depth || (a.depth == b.depth && a.id < b.id);
+                              });
+                    const auto red =
+                        static_cast<double>(result[color_index(set, tile_pixel(used), s, 0)]);
+                    const auto last = std::find_if(
+                        fragments.begin(), fragments.end(),
+                        [&](const Fragment& f) { return f.opacity == 1 || f.color[0] == red; });
+                    const double expected = last != fragments.end()
+                                                ? last->color[0]
+                                                : backdrop_at(setting, backdrop, {used, s}).r;
+                    ASSERT_EQ(red, expected) << name_of(method) << ", S = " << set.count;
+                }
+            }
+        }
+    }
+}
+
+}  // namespace sheer

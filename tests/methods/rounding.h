@@ -1,0 +1,79 @@
+// How far rounding may take each method from what its formula gives in exact arithmetic, in parts
+// of the largest colour M among fragments and backdrop: the only tolerances of the methods' tests.
+//
+// u is half a unit of the last place of 1, the relative error of one operation, and n the number of
+// fragments. To first order:
+//
+// Opacity.      1 - a is off by u, T as a product of n of them by 2 n u, and where T is near 1 by
+//               n u however small the opacities are. T B then costs (2 n + 2) M u, T B + the rest M
+//               u more.
+// blend         new = a c + (1 - a) old, a mean, costs 3 roundings of M at most, and passes on no
+//               more error than it got: 3 n, and T B.
+// exact         term i is T_i a_i c_i, off by (2 i + 2) u; the T_i a_i sum to 1 at most, so the
+//               terms to 2 n + 2; adding them up costs n; and T B.
+// averages      sum(w a c) / sum(w a) is a mean. Its weights are off by e and lose 1 + n more when
+//               they are multiplied and added up, in both sums: 2 (e + n + 2). Times (1 - T), where
+//               T's error counts again, and the last product, sum and quotient: 2 n + 6.
+// of depth      e for equations 7 to 9: z / 5, z / 200 and their like are off by 3 (of z itself, of
+//               the constant, of the product), their sixth power by 18 and 5 products, the rest
+//               (sum of three, quotient, opacity) by 5. Clamping adds nothing.
+//               e for equation 10: 1 - d is off by 7 u of 1, as d is a difference of numbers of
+//               which the largest is divided by zfar - znear, up to 1. From (1 - d)^3 3000 = 0.01
+//               on, where 1 - d is 0.0149, the clamp holds: 7 / 0.0149 there, three times as much
+//               in the cube, 4 roundings.
+// weighted      T = (1 - s / n)^n. s is off by n, 1 - s / n by (n + 1) s / n + 1 of 1; the slope of
+// average       the power turns that into 2 n + 1 at most, as n x (1 - x)^(n-1) <= 1; squaring and
+//               multiplying add 2 n: 4 n + 1 for T, which counts with the mean and with B.
+// stochastic    one of its inputs, untouched.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "methods/every_method.h"
+
+namespace sheer {
+
+inline constexpr double kUnit = 0x1p-24;
+
+struct RoundingBound {
+    double as_formula;  // of M: between the method and its formula
+    double reordered;   // of M: between two orders of the same fragments; the weights are the same
+};
+
+inline double weight_roundings(const std::string& weight)
+{
+    if (weight == "uniform") return 0;
+    if (weight == "eq10") return 3 * 7 / 0.0149 + 4;
+    return 18 + 5 + 5;
+}
+
+inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t fragments)
+{
+    const std::string id = method.row->id;
+    const auto n = static_cast<double>(fragments);
+    const double backdrop = 2 * n + 3;
+    double formula = 0, weights = 0;
+    if (id == "blend" || id == "sorted-blend") {
+        formula = 3 * n + backdrop;
+    } else if (id == "exact") {
+        formula = 2 * n + 2 + n + backdrop;
+    } else if (id == "weighted-average") {
+        formula = 2 * (n + 2) + 2 * (4 * n + 1) + 6;
+    } else if (id == "wboit") {
+        weights = 2 * weight_roundings(method.value("weight"));
+        formula = weights + 2 * (n + 2) + 2 * n + 6 + backdrop;
+    } else if (id != "none" && id != "stochastic") {
+        ADD_FAILURE() << "there is no bound for the method '" << id << "'";
+    }
+    // Both are as far from the same formula, with the weights that they have.
+    return {formula * kUnit, 2 * (formula - weights) * kUnit};
+}
+
+// One fragment over a backdrop: 1 - a, 1 - T, the mean (a product and a quotient), two products and
+// a sum, and 1 - a once more in T B; none of numbers above M.
+inline constexpr double kOneFragment = 8 * kUnit;
+
+}  // namespace sheer

@@ -1,0 +1,92 @@
+// Random pictures, bit for bit: the seed alone decides.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+#include <sheer/sheer.h>
+
+#include "methods/every_method.h"
+#include "simd_levels.h"
+
+namespace sheer {
+
+namespace {
+
+// Two tiles and a bit across, so that threads have something to share.
+View small_view(int samples)
+{
+    View view;
+    view.width = 80;
+    view.height = 70;
+    view.samples = samples;
+    return view;
+}
+
+std::vector<Float4> pixels(const Scene& scene, int samples, const Options& options)
+{
+    return render(scene, small_view(samples), options).image.pixels;
+}
+
+}  // namespace
+
+TEST(StochasticBits, OneSeedOnePicture)
+{
+    const Scene scene = load("builtin:quads");
+    Scene shuffled = scene;
+    std::mt19937 random(5);
+    std::shuffle(shuffled.objects.begin(), shuffled.objects.end(), random);
+    for (const ChosenMethod& method : every_choice(*choose_method("stochastic").row)) {
+        for (const int samples : {1, 8, 64}) {
+            Options options;
+            options.method = name_of(method);
+            options.seed = 123456789012345ull;
+            options.accumulate = 2;
+            options.threads = 1;
+            options.simd = Simd::scalar;
+            const auto expected = pixels(scene, samples, options);
+            for (const Simd level : simd_levels()) {
+                for (const int threads : {1, 2, 7}) {
+                    options.simd = level;
+                    options.threads = threads;
+                    const Scene& submitted = threads == 2 ? shuffled : scene;
+                    EXPECT_EQ(pixels(submitted, samples, options), expected)
+                        << options.method << ", S = " << samples << ", "
+                        << name_of_targets(targets_of(level)) << ", " << threads << " threads";
+                }
+            }
+        }
+    }
+}
+
+TEST(StochasticBits, SeedsDiffer)
+{
+    const Scene scene = load("builtin:quads");
+    for (const ChosenMethod& method : every_method()) {
+        if (method.row->bench_only) continue;
+        std::set<std::vector<Float4>> different;
+        for (const std::uint64_t seed : {0ull, 1ull, 2ull, 1ull << 32, ~0ull}) {
+            Options options;
+            options.method = name_of(method);
+            options.seed = seed;
+            different.insert(pixels(scene, 8, options));
+        }
+        EXPECT_EQ(different.size(), method.row->random ? 5u : 1u) << name_of(method);
+    }
+}
+
+TEST(StochasticBits, OnlyRandomPicturesChangeWhenTheyAreAccumulated)
+{
+    const Scene scene = load("builtin:quads");
+    for (const ChosenMethod& method : every_method()) {
+        if (method.row->bench_only) continue;
+        Options options;
+        options.method = name_of(method);
+        const auto one = pixels(scene, 8, options);
+        options.accumulate = 7;
+        EXPECT_EQ(pixels(scene, 8, options) != one, method.row->random) << options.method;
+    }
+}
+
+}  // namespace sheer

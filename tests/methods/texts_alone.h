@@ -1,0 +1,254 @@
+// The texts of shaders/sheer/ on fragment lists, one plain number at a time: what the shaders of
+// tests/vulkan/ do, in C++, and without a renderer's stores.
+#pragma once
+
+#include <bit>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "methods/fragment_lists.h"
+#include "lanes/lone.h"
+
+namespace sheer::test {
+
+template <class L>
+struct Texts {
+#include "lanes/text_words.h"
+#include "sheer/over.glsl"
+#include "sheer/random.glsl"
+#include "sheer/blend.glsl"
+#include "sheer/exact.glsl"
+#include "sheer/weighted_average.glsl"
+#include "sheer/wboit.glsl"
+#include "sheer/stochastic.glsl"
+};
+
+// Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
+// that of SampleValues<5>.
+template <class Real>
+struct Made {
+    std::vector<Real> colors, kept;
+};
+
+// A method for TextsAlone: its text's verbs, given the number of a fragment among the lists'.
+template <class L>
+struct MethodAlone {
+    using T = Texts<L>;
+    using real = typename L::real;
+    using real3 = typename T::real3;
+    using Kept = std::vector<real>;
+
+    const FragmentLists& lists;
+    const ChosenMethod& method;
+
+    real3 color(std::size_t i) const
+    {
+        const ListedFragment& f = lists.fragments[i];
+        return {real(f.red), real(f.green), real(f.blue)};
+    }
+    real opacity(std::size_t i) const { return real(lists.fragments[i].opacity); }
+    static Kept kept(real3 c, real a, real b = real(0.0f)) { return {c.x, c.y, c.z, a, b}; }
+    void begin_pixel(std::uint32_t) {}
+    static constexpr bool kSorted = false;
+};
+
+template <class L>
+struct BlendAlone : MethodAlone<L> {
+    using T = Texts<L>;
+    using Store = typename T::BlendStore;
+    static Store clear() { return T::blend_clear(); }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        return T::blend_insert(s, this->lists.covers(i, at), this->color(i), this->opacity(i));
+    }
+    static auto resolve(Store s, typename T::real3 behind) { return T::blend_resolve(s, behind); }
+    static auto transmittance(Store s) { return s.transmittance; }
+    static auto keep(Store s) { return BlendAlone::kept(s.color, s.transmittance); }
+};
+
+template <class L>
+struct ExactAlone : MethodAlone<L> {
+    using T = Texts<L>;
+    using Store = typename T::ExactSum;
+    static constexpr bool kSorted = true;
+    static Store clear() { return T::exact_clear(); }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        return T::exact_add(s, this->lists.covers(i, at), this->color(i), this->opacity(i));
+    }
+    static auto resolve(Store s, typename T::real3 behind) { return T::exact_resolve(s, behind); }
+    static auto transmittance(Store s) { return s.transmittance; }
+    static auto keep(Store s) { return ExactAlone::kept(s.color, s.transmittance); }
+};
+
+template <class L>
+struct WeightedAverageAlone : MethodAlone<L> {
+    using T = Texts<L>;
+    using Store = typename T::WeightedAverageStore;
+    static Store clear() { return T::weighted_average_clear(); }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        return T::weighted_average_insert(s, this->lists.covers(i, at), this->color(i),
+                                          this->opacity(i));
+    }
+    static auto resolve(Store s, typename T::real3 behind)
+    {
+        return T::weighted_average_resolve(s, behind);
+    }
+    static auto transmittance(Store s) { return T::weighted_average_transmittance(s); }
+    static auto keep(Store s) { return WeightedAverageAlone::kept(s.color, s.opacity, s.count); }
+};
+
+// 0 for "uniform", the number of "eqN".
+inline int wboit_equation(const ChosenMethod& method)
+{
+    const std::string& weight = method.value("weight");
+    return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
+}
+
+template <class L>
+struct WboitAlone : MethodAlone<L> {
+    using T = Texts<L>;
+    using Store = typename T::WboitStore;
+    const int equation = wboit_equation(this->method);
+
+    static Store clear() { return T::wboit_clear(); }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        const ListedFragment& f = this->lists.fragments[i];
+        const EyeSpace& eye = this->lists.eye;
+        const float depth = std::min(std::max(f.center, f.least), f.most);
+        const float z = eye.orthographic ? depth : -1.0f / depth;
+        const auto weight = T::wboit_weight(equation, typename L::real(z),
+                                            typename L::real(in_buffer(z)), this->opacity(i));
+        return T::wboit_insert(s, this->lists.covers(i, at), this->color(i), this->opacity(i),
+                               weight);
+    }
+    // Distance z as a depth buffer between znear and zfar has it.
+    float in_buffer(float z) const
+    {
+        const auto [orthographic, near, far] = this->lists.eye;
+        if (orthographic) return far > near ? (z - near) / (far - near) : 0.0f;
+        return far > 0 ? (near * far / z - far) / (near - far) : 1.0f - near / z;
+    }
+    static auto resolve(Store s, typename T::real3 behind) { return T::wboit_resolve(s, behind); }
+    static auto transmittance(Store s) { return s.transmittance; }
+    static auto keep(Store s) { return WboitAlone::kept(s.color, s.weight, s.transmittance); }
+};
+
+template <class L>
+struct StochasticAlone : MethodAlone<L> {
+    using T = Texts<L>;
+    using real = typename L::real;
+    using Store = typename T::StochasticStore;
+    const bool stratified = this->method.value("masks") == "stratified";
+    std::vector<typename T::SampleBits> masks = {};  // of the pixel's fragments
+    std::uint32_t first = 0;
+
+    static real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
+    static Store clear() { return T::stochastic_clear(beyond_any()); }
+    void begin_pixel(std::uint32_t pixel)
+    {
+        const TilePlace& place = this->lists.place;
+        const std::uint32_t seed =
+            T::pixel_seed(static_cast<std::uint32_t>(place.x) + pixel % kTileSize,
+                          static_cast<std::uint32_t>(place.y) + pixel / kTileSize, place.key);
+        masks.clear();
+        first = this->lists.first[pixel];
+        for (std::uint32_t i = first; i < this->lists.first[pixel + 1]; ++i) {
+            const std::uint32_t own = T::fragment_seed(seed, identity(this->lists.fragments[i]));
+            const int samples = this->lists.set.count;
+            masks.push_back(stratified ? T::stratified_mask(own, this->opacity(i), samples)
+                                       : T::naive_mask(own, this->opacity(i), samples));
+        }
+    }
+    std::uint32_t identity(const ListedFragment& f) const
+    {
+        const std::string& by = this->method.value("seed-by");
+        if (by == "depth") return std::bit_cast<std::uint32_t>(f.center);
+        return by == "object" ? f.object : f.primitive;
+    }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        const auto& mask = masks[i - first];
+        const bool taken = ((at < 32 ? mask.low : mask.high) >> at % 32 & 1) != 0;
+        const Store fragment{real(this->lists.depth_at(i, at)), this->lists.fragments[i].primitive,
+                             this->color(i)};
+        return T::stochastic_insert(s, taken && this->lists.covers(i, at), fragment);
+    }
+    static auto resolve(Store s, typename T::real3 behind)
+    {
+        return T::stochastic_resolve(s, beyond_any(), behind);
+    }
+    static real transmittance(Store s) { return T::stochastic_transmittance(s, beyond_any()); }
+    // The id is whole and stays out of it.
+    static auto keep(Store s) { return StochasticAlone::kept(s.color, s.depth); }
+};
+
+template <class L, template <class> class Method>
+Made<typename L::real> make_alone(const FragmentLists& lists, const ChosenMethod& method)
+{
+    using real = typename L::real;
+    const std::size_t samples = lists.samples();
+    const SampleColors backdrop = make_backdrop(lists.set.count);
+    Made<real> made{std::vector<real>(4 * kTilePixels * samples),
+                    std::vector<real>(5 * kTilePixels * samples)};
+    Method<L> text{{lists, method}};
+    for (std::uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
+        text.begin_pixel(pixel);
+        for (std::size_t s = 0; s < samples; ++s) {
+            auto store = Method<L>::clear();
+            for (std::uint32_t i = lists.first[pixel]; i < lists.first[pixel + 1]; ++i) {
+                const std::size_t sorted = s * lists.fragments.size() + i;
+                store = text.insert(store, Method<L>::kSorted ? lists.sorted[sorted] : i, s);
+            }
+            const auto behind = [&](std::size_t c) { return real(backdrop.channel(pixel, c)[s]); };
+            const auto color = Method<L>::resolve(store, {behind(0), behind(1), behind(2)});
+            const real alpha = Texts<L>::over_alpha(Method<L>::transmittance(store), behind(3));
+            const real over[4] = {color.x, color.y, color.z, alpha};
+            const auto kept = Method<L>::keep(store);
+            for (std::size_t c = 0; c < 4; ++c) {
+                made.colors[(4 * pixel + c) * samples + s] = over[c];
+            }
+            for (std::size_t c = 0; c < 5; ++c) {
+                made.kept[(5 * pixel + c) * samples + s] = kept[c];
+            }
+        }
+    }
+    return made;
+}
+
+template <class L>
+Made<typename L::real> make_alone(const FragmentLists& lists, const std::string& method_text)
+{
+    const ChosenMethod method = choose_method(method_text);
+    const std::string id = method.row->id;
+    if (id == "blend") return make_alone<L, BlendAlone>(lists, method);
+    if (id == "exact") return make_alone<L, ExactAlone>(lists, method);
+    if (id == "weighted-average") return make_alone<L, WeightedAverageAlone>(lists, method);
+    if (id == "wboit") return make_alone<L, WboitAlone>(lists, method);
+    if (id == "stochastic") return make_alone<L, StochasticAlone>(lists, method);
+    throw std::runtime_error(id + " has no text here");
+}
+
+// Every text's every branch.
+inline const std::vector<std::string> kMethodsWithTexts = {
+    "blend",
+    "exact",
+    "weighted-average",
+    "wboit:weight=eq7",
+    "wboit:weight=eq8",
+    "wboit:weight=eq9",
+    "wboit:weight=eq10",
+    "wboit:weight=uniform",
+    "stochastic:masks=stratified:seed-by=primitive",
+    "stochastic:masks=stratified:seed-by=object",
+    "stochastic:masks=stratified:seed-by=depth",
+    "stochastic:masks=naive:seed-by=primitive",
+};
+
+}  // namespace sheer::test

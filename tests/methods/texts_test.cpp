@@ -1,0 +1,78 @@
+// The texts of shaders/sheer/ without a renderer around them: as floats, one at a time, they give
+// the bits of the stores' vectors; as doubles they tell how much of the floats is rounding.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "methods/bounded.h"
+#include "methods/make_lists.h"
+#include "methods/texts_alone.h"
+#include "simd_levels.h"
+
+namespace sheer::test {
+namespace {
+
+void expect_store_has_bits_of_text(const FragmentLists& lists)
+{
+    for (const std::string& method : kMethodsWithTexts) {
+        const Words alone = words_of(make_alone<Lone<float>>(lists, method).colors);
+        for (const Simd level : simd_levels()) {
+            const TargetSet targets = targets_of(level);
+            EXPECT_EQ(difference(alone, resolved_by_store(lists, method, targets)), "")
+                << method << " on " << lists.name << ", " << name_of_targets(targets);
+        }
+    }
+}
+
+TEST(TextBits, OfStoresOnRandomLists)
+{
+    for (const int samples : {1, 2, 4, 8, 16, 32, 64}) {
+        for (const FragmentLists& lists : random_lists(samples)) {
+            expect_store_has_bits_of_text(lists);
+        }
+    }
+}
+
+TEST(TextBits, OfStoresOnARealTile)
+{
+    expect_store_has_bits_of_text(lists_of_fullest_tile(load("builtin:motor"), "motor", 8));
+}
+
+// A bound above this means that a text loses digits: what 16 roundings for each of 48 layers make
+// of 1, or of a larger value.
+constexpr double kLargestBound = 48 * 16 * 0x1p-24;
+
+void expect_within_bounds(const std::vector<float>& floats, const std::vector<double>& doubles,
+                          const std::vector<Bounded>& bounds, const std::string& what)
+{
+    std::size_t outside = 0, other = 0, loose = 0;
+    for (std::size_t i = 0; i < floats.size(); ++i) {
+        const double value = static_cast<double>(floats[i]);
+        const bool same = value == doubles[i];  // infinity too
+        if (!same && !(std::abs(value - doubles[i]) <= bounds[i].bound)) ++outside;
+        if (doubles[i] != bounds[i].value) ++other;
+        if (!(bounds[i].bound <= kLargestBound * std::max(1.0, std::abs(doubles[i])))) ++loose;
+    }
+    EXPECT_EQ(outside, 0u) << what;
+    EXPECT_EQ(other, 0u) << what;
+    EXPECT_EQ(loose, 0u) << what;
+}
+
+TEST(TextRounding, FloatsAreWithinTheirBoundOfDoubles)
+{
+    for (const FragmentLists& lists : random_lists(8)) {
+        for (const std::string& method : kMethodsWithTexts) {
+            const std::string what = method + " on " + lists.name;
+            Bounded::doubtful = 0;
+            const auto bounds = make_alone<LoneBounded>(lists, method);
+            EXPECT_EQ(Bounded::doubtful, 0u) << what;
+            const auto floats = make_alone<Lone<float>>(lists, method);
+            const auto doubles = make_alone<Lone<double>>(lists, method);
+            expect_within_bounds(floats.colors, doubles.colors, bounds.colors, what);
+            expect_within_bounds(floats.kept, doubles.kept, bounds.kept, what);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sheer::test

@@ -1,0 +1,130 @@
+// Runs NAME.comp with a method's text on tiles' fragment lists, all in one dispatch.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <cstring>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "methods/texts_alone.h"
+#include "vulkan/compute_fixture.h"
+
+namespace sheer::test {
+
+// As fragment_list.glsl has it.
+struct ShaderTile {
+    std::uint32_t x, y, key;
+    std::uint32_t orthographic;
+    float near, far;
+};
+
+template <class T>
+Words words_of_structs(const std::vector<T>& structs)
+{
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
+    Words words(structs.size() * sizeof(T) / 4);
+    std::memcpy(words.data(), structs.data(), 4 * words.size());
+    return words;
+}
+
+class TextRunner {
+public:
+    // The tiles have the same samples.
+    explicit TextRunner(const std::vector<FragmentLists>& tiles)
+        : samples_(tiles[0].set.count), tile_count_(tiles.size())
+    {
+        std::vector<ListedFragment> fragments;
+        std::vector<ShaderTile> shader_tiles;
+        Words first, colors;
+        for (const FragmentLists& lists : tiles) {
+            const auto base = static_cast<std::uint32_t>(fragments.size());
+            fragments.insert(fragments.end(), lists.fragments.begin(), lists.fragments.end());
+            for (std::size_t p = 0; p < kTilePixels; ++p) first.push_back(base + lists.first[p]);
+            const auto [x, y, key] = lists.place;
+            shader_tiles.push_back({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
+                                    key, lists.eye.orthographic ? 1u : 0u, lists.eye.znear,
+                                    lists.eye.zfar});
+            const Words behind = words_of(make_backdrop(samples_).values);
+            colors.insert(colors.end(), behind.begin(), behind.end());
+        }
+        first.push_back(static_cast<std::uint32_t>(fragments.size()));
+        buffers_ = {words_of_structs(fragments), first,
+                    offset_words(tiles[0]),      words_of_structs(shader_tiles),
+                    sorted_words(tiles),         colors,
+                    Words(colors.size() / 4 * 5)};
+    }
+
+    // Bits of floats, tile by tile.
+    std::vector<Made<std::uint32_t>> run(ComputeDevice& device,
+                                         const std::string& method_text) const
+    {
+        const ChosenMethod method = choose_method(method_text);
+        std::string name = method.row->id;
+        std::replace(name.begin(), name.end(), '-', '_');
+        std::vector<Words> buffers = buffers_;
+        const std::size_t lanes = kTilePixels * static_cast<std::size_t>(samples_);  // of a tile
+        const auto groups = static_cast<std::uint32_t>(tile_count_ * lanes / 64);
+        device.run(shader_file(name), constants(method), buffers, {groups, 1, 1});
+        std::vector<Made<std::uint32_t>> results;
+        for (std::size_t t = 0; t < tile_count_; ++t) {
+            const auto part = [&](const Words& words, std::size_t channels) {
+                const std::span all(words);
+                const auto some = all.subspan(t * lanes * channels, lanes * channels);
+                return Words(some.begin(), some.end());
+            };
+            results.push_back({part(buffers[5], 4), part(buffers[6], 5)});
+        }
+        return results;
+    }
+
+private:
+    static Words offset_words(const FragmentLists& lists)
+    {
+        std::vector<float> offsets;
+        for (std::size_t s = 0; s < lists.samples(); ++s) {
+            offsets.push_back(lists.set.offset_x[s]);
+            offsets.push_back(lists.set.offset_y[s]);
+        }
+        return words_of(offsets);
+    }
+
+    // Of each sample, tile after tile.
+    static Words sorted_words(const std::vector<FragmentLists>& tiles)
+    {
+        Words words;
+        for (std::size_t s = 0; s < tiles[0].samples(); ++s) {
+            std::uint32_t base = 0;
+            for (const FragmentLists& lists : tiles) {
+                const std::size_t count = lists.fragments.size();
+                for (std::size_t i = 0; i < count; ++i) {
+                    words.push_back(base + lists.sorted[s * count + i]);
+                }
+                base += static_cast<std::uint32_t>(count);
+            }
+        }
+        return words;
+    }
+
+    std::vector<SpecializationConstant> constants(const ChosenMethod& method) const
+    {
+        const std::string id = method.row->id;
+        std::vector<SpecializationConstant> all = {{0, static_cast<std::uint32_t>(samples_)}};
+        if (id == "wboit") all.push_back({1, static_cast<std::uint32_t>(wboit_equation(method))});
+        if (id == "stochastic") {
+            const std::string& by = method.value("seed-by");
+            all.push_back({1, method.value("masks") == "stratified" ? 1u : 0u});
+            all.push_back({2, by == "depth" ? 0u : by == "primitive" ? 1u : 2u});
+        }
+        return all;
+    }
+
+    int samples_;
+    std::size_t tile_count_;
+    std::vector<Words> buffers_;
+};
+
+}  // namespace sheer::test
