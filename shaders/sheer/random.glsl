@@ -14,16 +14,17 @@ SHEER_FN whole hash_whole(whole x)
     return x;
 }
 
-// Of pixel (x, y) of the picture; `key` is a frame's.
-SHEER_FN whole pixel_seed(whole x, whole y, whole key)
+// Of what `identity` names; `key` is a frame's.
+SHEER_FN whole identity_seed(whole identity, whole key)
 {
-    return hash_whole(x + hash_whole(y + hash_whole(key)));
+    return hash_whole(identity + hash_whole(key));
 }
 
-// Of what `identity` names, in that pixel.
-SHEER_FN whole fragment_seed(whole pixel, whole identity)
+// Of that in pixel (x, y) of the picture, both below 2^14.
+SHEER_FN whole fragment_seed(whole x, whole y, whole identity)
 {
-    return hash_whole(identity + pixel);
+    // An odd factor, of MurmurHash3 (Appleby, 2008), spreads the pixels' numbers.
+    return hash_whole((x + (y << 14)) * whole(0x85ebca6bu) + identity);
 }
 
 // The next number of the sequence that begins at a seed: 32 bits.

@@ -15,6 +15,7 @@
 
 #include <hwy/foreach_target.h>
 
+#include "lanes/lone.h"
 #include "methods/samples-inl.h"
 #include "raster/sample_depth-inl.h"
 
@@ -77,11 +78,12 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
     const SampleSet& set;
     bool stratified;
     SeedBy seed_by;
-    // Of the tile's pixels.
-    AlignedArray<std::uint32_t> pixel_seeds{kTilePixels};
-    AlignedArray<float> farthest{kTilePixels};  // the most depth that a sample keeps
+    TilePlace place = {};
+    AlignedArray<float> farthest{kTilePixels};  // of each pixel: the most depth that a sample keeps
     // Of a run's fragments that have samples: their numbers in the stream, and the samples.
     static constexpr std::size_t kMost = kTilePixels + 16;
+    static constexpr int kTileBits = 5;
+    static_assert(1 << kTileBits == kTileSize);
     alignas(64) std::uint32_t number[kMost], low[kMost], high[kMost];
 
     explicit StochasticTile(const StoreShape& shape)
@@ -98,8 +100,9 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
         return text == "object" ? SeedBy::object : SeedBy::primitive;
     }
 
-    void clear(const TilePlace& place)
+    void clear(const TilePlace& of_tile)
     {
+        place = of_tile;
         // Colours are looked at only where a depth was kept.
         const auto nothing = Method::clear();
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
@@ -109,13 +112,6 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
                 nothing.depth.store(depth + s);
                 nothing.id.as_real().store(id + s);
             }
-        }
-        using whole = typename Block::whole;
-        const whole key(place.key), x(place.x), y(place.y);
-        for (int i = 0; i < kTilePixels; i += Block::kCount) {
-            const whole column = Block::iota() + x + whole(i % kTileSize);
-            const whole row = y + whole(i / kTileSize);
-            BlockText::pixel_seed(column, row, key).store(pixel_seeds.data() + i);
         }
         std::fill_n(farthest.data(), kTilePixels, std::numeric_limits<float>::infinity());
     }
@@ -152,7 +148,9 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
         const DepthPlane& plane = run.depth;
         const Real least(plane.least), most(plane.most);
         const Real reach(0.5f * (std::abs(plane.dx) + std::abs(plane.dy)) + plane.slack);
-        const whole name(seed_by == SeedBy::object ? run.object : run.primitive);
+        const whole x0(place.x), y0(place.y), key(place.key);
+        const std::uint32_t name = seed_by == SeedBy::object ? run.object : run.primitive;
+        const whole of_run(StochasticText<Lone<float>>::identity_seed(name, place.key));
         const std::size_t last = run.first + run.count;
         const whole end(static_cast<std::int32_t>(last)), none(0);
         std::size_t count = 0;
@@ -164,9 +162,11 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
             // Written so that a depth that is no number may win.
             const auto may_win = !(nearest > Block::gather(farthest.data(), pixel));
             if (!may_win.any()) continue;
-            const whole identity = seed_by == SeedBy::depth ? whole::bits_of(at_center) : name;
-            const whole seed =
-                BlockText::fragment_seed(Block::gather(pixel_seeds.data(), pixel), identity);
+            const whole identity = seed_by == SeedBy::depth
+                                       ? BlockText::identity_seed(whole::bits_of(at_center), key)
+                                       : of_run;
+            const whole seed = BlockText::fragment_seed(x0 + (pixel & whole(kTileSize - 1)),
+                                                        y0 + (pixel >> kTileBits), identity);
             const Real opacity = Real::load(f.opacity.data() + i);
             const auto bits = stratified ? BlockText::stratified_mask(seed, opacity, Samples)
                                          : BlockText::naive_mask(seed, opacity, Samples);
@@ -196,7 +196,7 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
         const float *red = f.red.data(), *green = f.green.data(), *blue = f.blue.data();
         const float* depth = f.depth.data();
         const std::uint32_t* pixels = f.pixel.data();
-        float *kept = this->values(), *far = farthest.data();
+        float *stores = this->values(), *far = farthest.data();
         real offset[kBlocks];
         for (std::size_t b = 0; b < kBlocks; ++b) {
             offset[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
@@ -212,7 +212,7 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
                 const std::uint32_t word = s < 32 ? low[k] : high[k];
                 const auto taken = L::mask_of_bits(word >> (s & 31));
                 fragment.depth = sample_depth<L>(plane, offset[b], depth[i]);
-                float* at = kept + (Method::kChannels * pixel * Samples + s);
+                float* at = stores + (Method::kChannels * pixel * Samples + s);
                 const auto store =
                     Text::stochastic_insert(Method::load(at, Samples), taken, fragment);
                 Method::save(store, at, Samples);

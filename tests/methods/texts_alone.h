@@ -154,13 +154,13 @@ struct StochasticAlone : MethodAlone<L> {
     void begin_pixel(std::uint32_t pixel)
     {
         const TilePlace& place = this->lists.place;
-        const std::uint32_t seed =
-            T::pixel_seed(static_cast<std::uint32_t>(place.x) + pixel % kTileSize,
-                          static_cast<std::uint32_t>(place.y) + pixel / kTileSize, place.key);
+        const std::uint32_t x = static_cast<std::uint32_t>(place.x) + pixel % kTileSize;
+        const std::uint32_t y = static_cast<std::uint32_t>(place.y) + pixel / kTileSize;
         masks.clear();
         first = this->lists.first[pixel];
         for (std::uint32_t i = first; i < this->lists.first[pixel + 1]; ++i) {
-            const std::uint32_t own = T::fragment_seed(seed, identity(this->lists.fragments[i]));
+            const std::uint32_t named = identity(this->lists.fragments[i]);
+            const std::uint32_t own = T::fragment_seed(x, y, T::identity_seed(named, place.key));
             const int samples = this->lists.set.count;
             masks.push_back(stratified ? T::stratified_mask(own, this->opacity(i), samples)
                                        : T::naive_mask(own, this->opacity(i), samples));

@@ -22,8 +22,8 @@ void main()
     float next_real = next_random_real(state);
     SampleBits naive = naive_mask(seed, opacity, kSamples);
     SampleBits stratified = stratified_mask(seed, opacity, kSamples);
-    uint[10] all = uint[](hash_whole(seed), pixel_seed(i, seed, next), fragment_seed(seed, i), next,
-                          floatBitsToUint(next_real), state, naive.low, naive.high, stratified.low,
-                          stratified.high);
+    uint[10] all = uint[](hash_whole(seed), identity_seed(i, seed), fragment_seed(seed, i, next),
+                          next, floatBitsToUint(next_real), state, naive.low, naive.high,
+                          stratified.low, stratified.high);
     for (uint k = 0; k < 10; ++k) results[10 * i + k] = all[k];
 }

@@ -13,12 +13,12 @@ void main()
 {
     const float kBeyondAny = uintBitsToFloat(0x7f800000u);  // infinity
     uint place = pixel % kTilePixels;
-    uint seed = pixel_seed(tile.x + place % kTileSize, tile.y + place / kTileSize, tile.key);
+    uint x = tile.x + place % kTileSize, y = tile.y + place / kTileSize;
     StochasticStore s = stochastic_clear(kBeyondAny);
     for (uint i = list_begin(); i < list_end(); ++i) {
         Fragment f = fragments[i];
         uint[3] names = uint[](floatBitsToUint(f.center), f.primitive, f.object);
-        uint own = fragment_seed(seed, names[kSeedBy]);
+        uint own = fragment_seed(x, y, identity_seed(names[kSeedBy], tile.key));
         SampleBits bits = kStratified ? stratified_mask(own, f.opacity, kSamples)
                                       : naive_mask(own, f.opacity, kSamples);
         StochasticStore here = StochasticStore(depth_here(f), f.primitive, color_of(f));

@@ -68,8 +68,8 @@ Words random_words(std::uint32_t i, std::uint32_t seed, float opacity, int sampl
     const auto naive = T::naive_mask(seed, opacity, samples);
     const auto stratified = T::stratified_mask(seed, opacity, samples);
     return {T::hash_whole(seed),
-            T::pixel_seed(i, seed, next),
-            T::fragment_seed(seed, i),
+            T::identity_seed(i, seed),
+            T::fragment_seed(seed, i, next),
             next,
             next_real,
             state,
