@@ -1,5 +1,5 @@
-// The one exception that leaves the library. Its text is one line that names the file or the
-// argument and what is wrong with it.
+// The one exception that leaves the library, besides those that a caller's own functions throw. Its
+// text is one line that names the file or the argument and what is wrong with it.
 #pragma once
 
 #include <stdexcept>

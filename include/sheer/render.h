@@ -34,7 +34,7 @@ struct View {
     std::optional<Float3> eye;         // with target: a camera of one's own, y up
     std::optional<Float3> target;
     std::optional<float> fov;  // full vertical angle in degrees, of that camera
-    float exposure = 0;        // EV; surfaces are multiplied by 2^EV, the background is not
+    float exposure = 0;  // EV, -32 to 32; surfaces are multiplied by 2^EV, the background is not
 };
 
 enum class Simd { best, scalar, sse4, avx2, avx512, neon };
@@ -48,7 +48,8 @@ struct Options {
     // without random numbers one is enough, and one is drawn.
     int accumulate = 1;
     // What the whole process may take while it draws the picture, and then to write it to a file,
-    // in bytes; 0: no limit. The picture is the same with and without.
+    // in bytes; 0: no limit. The picture is the same with and without. Renders at the same time
+    // each count what the process takes when they begin, and not one another's growth.
     std::uint64_t memory_limit = 0;
     bool channels = false;  // Frame::channels are wanted
     // Called now and then, from one thread at a time, with the part done, in [0, 1].

@@ -1,4 +1,6 @@
 // The library's two doors: load and render.
+#include <new>
+
 #include <sheer/sheer.h>
 
 #include "api/check.h"
@@ -8,7 +10,19 @@
 
 namespace sheer {
 
-Scene load(const std::string& source)
+namespace {
+
+template <class Work>
+auto with_enough_memory(Work&& work)
+{
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        throw Error(Fault::work, "there is not enough memory");
+    }
+}
+
+Scene load_scene(const std::string& source)
 {
     constexpr std::string_view kBuiltin = "builtin:";
     if (source.starts_with(kBuiltin)) return make_builtin(source.substr(kBuiltin.size()));
@@ -21,11 +35,20 @@ Scene load(const std::string& source)
     return scene;
 }
 
+}  // namespace
+
+Scene load(const std::string& source)
+{
+    return with_enough_memory([&] { return load_scene(source); });
+}
+
 Frame render(const Scene& scene, const View& view, const Options& options)
 {
     check_view(view, options);
-    check_scene(scene);
-    return render_frame(scene, view, options);
+    return with_enough_memory([&] {
+        check_scene(scene);
+        return render_frame(scene, view, options);
+    });
 }
 
 }  // namespace sheer

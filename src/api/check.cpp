@@ -22,7 +22,8 @@ bool are_finite(const Values& values)
     return std::all_of(values.begin(), values.end(), [](float v) { return std::isfinite(v); });
 }
 
-// Far below what leaves the floats after the brightest exposure.
+// Three of them, the brightest exposure and a method's weights multiply to less than what leaves
+// the floats.
 template <class Values>
 bool are_colors(const Values& values)
 {
@@ -82,6 +83,9 @@ void check_scene(const Scene& scene)
     if (scene.background && !are_colors(*scene.background)) {
         refuse("the scene's background is not between 0 and 1,000,000");
     }
+    if (scene.background && (*scene.background)[3] > 1) {
+        refuse("the scene's background has an alpha above 1");
+    }
     std::unordered_set<std::uint32_t> ids;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
@@ -108,9 +112,9 @@ void check_view(const View& view, const Options& options)
         refuse("samples: " + std::to_string(view.samples) +
                " is not one of 1, 2, 4, 8, 16, 32, 64");
     }
-    if (!(std::abs(view.exposure) <= 64)) refuse("exposure: not between -64 and 64 EV");
+    if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
     if (options.threads < 0 || options.threads > 4096) {
-        refuse("threads: " + std::to_string(options.threads) + " is not between 1 and 4096");
+        refuse("threads: " + std::to_string(options.threads) + " is not between 0 and 4096");
     }
     if (options.accumulate < 1 || options.accumulate > 1'000'000) {
         refuse("accumulate: " + std::to_string(options.accumulate) +

@@ -19,6 +19,7 @@
 #include "compare/truth.h"
 #include "image/write_image.h"
 #include "methods/method.h"
+#include "support/memory.h"
 #include "support/progress.h"
 #include "support/text.h"
 #include "support/whole_file.h"
@@ -36,6 +37,25 @@ struct CompareRequest {
     int seeds = 8;
     bool json = false;
 };
+
+// A method or a number of samples that is asked for twice is drawn once.
+void drop_repeated(CompareRequest& request)
+{
+    std::vector<std::string> methods, known;
+    for (const std::string& method : request.methods) {
+        const ChosenMethod chosen = choose_method(method);
+        const std::string full = std::string(chosen.row->id) + ":" + chosen.parameters_text();
+        if (std::find(known.begin(), known.end(), full) != known.end()) continue;
+        known.push_back(full);
+        methods.push_back(method);
+    }
+    request.methods = methods;
+    std::vector<int> samples;
+    for (const int s : request.samples) {
+        if (std::find(samples.begin(), samples.end(), s) == samples.end()) samples.push_back(s);
+    }
+    request.samples = samples;
+}
 
 void check_request(CompareRequest& request)
 {
@@ -63,11 +83,28 @@ void make_folder(const std::string& folder)
 }
 
 // stochastic:masks=naive at 8 samples: "stochastic-masks=naive.s8".
+std::string file_stem(std::string method, int samples)
+{
+    std::replace(method.begin(), method.end(), ':', '-');
+    return method + ".s" + std::to_string(samples);
+}
 std::string file_stem(const Compared& compared)
 {
-    std::string name = compared.method;
-    std::replace(name.begin(), name.end(), ':', '-');
-    return name + ".s" + std::to_string(compared.stats.samples);
+    return file_stem(compared.method, compared.stats.samples);
+}
+
+// Whatever can't be written is to be known before the work.
+void check_folder(const CompareRequest& request)
+{
+    std::vector<std::string> names = {"metrics.json", "metrics.csv", "truth.exr", "truth.png"};
+    for (const std::string& method : request.methods) {
+        for (const int samples : request.samples) {
+            const std::string stem = file_stem(method, samples);
+            for (const char* suffix : {".exr", ".png", ".error.png"})
+                names.push_back(stem + suffix);
+        }
+    }
+    for (const std::string& name : names) check_writable(request.folder + "/" + name);
 }
 
 // Pictures are measured as soon as they are there, and error maps share a scale, so all are kept.
@@ -75,6 +112,16 @@ struct Result {
     Image truth;
     std::vector<Compared> all;
 };
+
+// Pictures that are held at once, at most: those that are kept for error maps, those of one number
+// of samples in the making, and what measuring, drawing and encoding an error map take.
+std::uint64_t picture_bytes(const CompareRequest& request)
+{
+    const std::size_t kept = 1 + request.methods.size() * request.samples.size();
+    const std::size_t pictures = kept + 4;
+    return pictures * sizeof(Float4) * static_cast<std::uint64_t>(request.given.view.width) *
+           static_cast<std::uint64_t>(request.given.view.height);
+}
 
 Result compare_all(const Scene& scene, CompareRequest& request)
 {
@@ -84,13 +131,19 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     double done = 0;
     Options options = request.given.options;
     options.progress = [&](double part) { bar.update(part * kTruthPasses / parts); };
-    Result result{render_truth(scene, request.given.view, options), {}};
+    const ComparisonRequest comparison{request.methods, request.seeds, picture_bytes(request)};
+    const std::uint64_t in_the_making = pictures_at_once(comparison) * comparison.reserved_memory /
+                                        (request.methods.size() * request.samples.size() + 5);
+    Result result{render_truth(scene, request.given.view, options, kTruthPasses,
+                               comparison.reserved_memory + in_the_making),
+                  {}};
+    if (options.memory_limit != 0) release_free_memory();
     done = kTruthPasses;
     options.progress = [&](double part) { bar.update((done + part) / parts); };
     for (const int samples : request.samples) {
         request.given.view.samples = samples;
-        auto some = compare_methods(scene, request.given.view, options,
-                                    {request.methods, request.seeds}, result.truth);
+        auto some = compare_methods(scene, request.given.view, options, comparison, result.truth);
+        if (options.memory_limit != 0) release_free_memory();
         std::move(some.begin(), some.end(), std::back_inserter(result.all));
         done += 1;
     }
@@ -123,8 +176,11 @@ void write_text(const std::string& path, const std::string& text)
 void run_compare(CompareRequest request)
 {
     check_request(request);
+    drop_repeated(request);
     const Scene scene = load(request.scene);
+    check_memory(request.given.options);
     make_folder(request.folder);
+    check_folder(request);
     const Result result = compare_all(scene, request);
     const double scale = write_pictures(request, result);
 

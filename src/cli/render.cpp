@@ -84,7 +84,9 @@ Frame render_with_progress(const Scene& scene, const RenderRequest& request)
 void run_render(const RenderRequest& request)
 {
     check_request(request);
-    Frame frame = render_with_progress(load(request.scene), request);
+    const Scene scene = load(request.scene);
+    check_memory(request.given.options);
+    Frame frame = render_with_progress(scene, request);
     write_image(request.output, frame.image);
     if (frame.channels) {
         write_channels(request.channels, frame.stats.width, frame.stats.height, *frame.channels);

@@ -7,6 +7,7 @@
 #include "api/check.h"
 #include "cli/values.h"
 #include "lanes/targets.h"
+#include "support/memory.h"
 #include "support/text.h"
 
 namespace sheer {
@@ -139,6 +140,15 @@ void add_seed(CLI::App& command, Options& options)
               [&options](auto& option, auto& text) {
                   options.seed = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
               });
+}
+
+void check_memory(const Options& options)
+{
+    constexpr std::uint64_t kMiB = 1024 * 1024;
+    const std::uint64_t peak = peak_memory_bytes();
+    if (options.memory_limit == 0 || peak <= options.memory_limit) return;
+    throw Error(Fault::work, "--memory-limit: reading the scene took " +
+                                 std::to_string(peak / kMiB + 1) + " MiB already");
 }
 
 void check_view_options(const ViewOptions& given)

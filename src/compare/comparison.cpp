@@ -2,7 +2,10 @@
 // them by, and the other seeds of those that are random.
 #include "compare/comparison.h"
 
+#include <algorithm>
 #include <cmath>
+
+#include <sheer/error.h>
 
 #include "compare/metrics.h"
 #include "cpu/frame.h"
@@ -86,21 +89,38 @@ Scores score_seeds(const Moments& moments, const Image& truth, const Image& exac
             .ratio_to_blend = 0};
 }
 
+// Whether no method after number i shows the same picture.
+bool is_last_use(const Plan& plan, std::size_t i)
+{
+    const std::size_t picture = plan.methods[i].picture;
+    if (picture == plan.exact) return false;  // all are measured by it
+    return std::none_of(plan.methods.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                        plan.methods.end(),
+                        [&](const Place& place) { return place.picture == picture; });
+}
+
 }  // namespace
+
+std::size_t pictures_at_once(const ComparisonRequest& request)
+{
+    // For each method its own picture, the mean and the variance over seeds; exact and blend, and
+    // a copy of each.
+    return 3 * request.methods.size() + 4;
+}
 
 std::vector<Compared> compare_methods(const Scene& scene, const View& view, const Options& options,
                                       const ComparisonRequest& request, const Image& truth)
 {
     const Plan plan = make_plan(options, request);
-    FrameTakes made = render_takes(scene, view, options, plan.takes, {});
+    FrameTakes made = render_takes(scene, view, options, {plan.takes, {}, request.reserved_memory});
     const TakeFrame& exact = made.frames[plan.exact];
-    const TakeFrame& blend = made.frames[plan.blend];
+    const double blend_ms = made.frames[plan.blend].stats.ms_total;
     std::vector<Compared> result;
     for (std::size_t i = 0; i < request.methods.size(); ++i) {
         const Place& place = plan.methods[i];
-        const TakeFrame& picture = made.frames[place.picture];
+        TakeFrame& picture = made.frames[place.picture];
         const bool random = plan.takes[place.picture].method.row->random;
-        Compared compared{request.methods[i], picture.image, picture.stats, 1, {}};
+        Compared compared{request.methods[i], {}, picture.stats, 1, {}};
         if (place.seeds) {
             TakeFrame& all = made.frames[*place.seeds];
             const Moments moments{std::move(all.image), std::move(all.variance), request.seeds};
@@ -109,7 +129,11 @@ std::vector<Compared> compare_methods(const Scene& scene, const View& view, cons
         } else {
             compared.scores = score_picture(picture.image, random, truth, exact.image);
         }
-        compared.scores.ratio_to_blend = picture.stats.ms_total / blend.stats.ms_total;
+        if (!std::isfinite(compared.scores.rmse)) {
+            throw Error(Fault::work, request.methods[i] + ": its picture is not finite");
+        }
+        compared.scores.ratio_to_blend = picture.stats.ms_total / blend_ms;
+        compared.image = is_last_use(plan, i) ? std::move(picture.image) : picture.image;
         result.push_back(std::move(compared));
     }
     return result;

@@ -33,9 +33,13 @@ struct Compared {
 };
 
 struct ComparisonRequest {
-    std::vector<std::string> methods;  // ID[:NAME=VALUE]...
-    int seeds = 8;                     // of random methods: options.seed and those after it
+    std::vector<std::string> methods;   // ID[:NAME=VALUE]...
+    int seeds = 8;                      // of random methods: options.seed and those after it
+    std::uint64_t reserved_memory = 0;  // of options.memory_limit: what the caller needs besides
 };
+
+// What compare_methods makes at once, in pictures of the view's size: the most of it.
+std::size_t pictures_at_once(const ComparisonRequest& request);
 
 // One entry for each method. Throws Error as `render` does, and for what `choose_method` refuses.
 std::vector<Compared> compare_methods(const Scene& scene, const View& view, const Options& options,

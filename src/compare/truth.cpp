@@ -55,17 +55,21 @@ int truth_samples(const View& view, int passes)
     return kTruthSamples * passes_for(view, passes);
 }
 
-Image render_truth(const Scene& scene, const View& view, const Options& options, int passes)
+Image render_truth(const Scene& scene, const View& view, const Options& options, int passes,
+                   std::uint64_t reserved_memory)
 {
     View sampled = view;
     sampled.samples = kTruthSamples;
     const int count = passes_for(view, passes);
     const Take take{choose_method("exact"), {0}, false};
     std::vector<std::array<double, 4>> sums;
+    const std::uint64_t sums_bytes = static_cast<std::uint64_t>(view.width) *
+                                     static_cast<std::uint64_t>(view.height) * sizeof(sums[0]);
     Image mean;
     for (int pass = 0; pass < count; ++pass) {
         const Options of_pass = options_of_pass(options, pass, count);
-        FrameTakes result = render_takes(scene, sampled, of_pass, {&take, 1}, truth_shift(pass));
+        FrameTakes result = render_takes(
+            scene, sampled, of_pass, {{&take, 1}, truth_shift(pass), sums_bytes + reserved_memory});
         mean = std::move(result.frames.front().image);
         sums.resize(mean.pixels.size());
         for (std::size_t i = 0; i < sums.size(); ++i) {

@@ -9,10 +9,12 @@
 #include "cpu/filter.h"
 #include "cpu/memory_plan.h"
 #include "cpu/stopwatch.h"
+#include "cpu/take_groups.h"
 #include "cpu/tile_mean.h"
 #include "cpu/tile_passes.h"
 #include "geometry/build.h"
 #include "geometry/object_distances.h"
+#include "geometry/pose.h"
 #include "scene/camera.h"
 #include "support/memory.h"
 #include "support/parallel.h"
@@ -24,33 +26,6 @@ namespace {
 
 // Light grey, linear.
 constexpr Float4 kDefaultBackground = {0.6f, 0.6f, 0.6f, 1.0f};
-
-Submission submission_of(const Take& take)
-{
-    const auto submission = take.method.row->submission;
-    return submission != nullptr ? submission(take.method) : Submission::as_given;
-}
-
-// Takes whose fragments come in the same order.
-struct Group {
-    Submission submission;
-    std::vector<std::size_t> takes;
-    std::size_t uses = 0;  // how often a tile's fragments are gone through
-};
-
-std::vector<Group> group_takes(std::span<const Take> takes)
-{
-    std::vector<Group> groups;
-    for (std::size_t i = 0; i < takes.size(); ++i) {
-        const Submission submission = submission_of(takes[i]);
-        auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const Group& g) { return g.submission == submission; });
-        if (group == groups.end()) group = groups.insert(group, {submission, {}, 0});
-        group->takes.push_back(i);
-        group->uses += takes[i].keys.size() * static_cast<std::size_t>(takes[i].method.row->passes);
-    }
-    return groups;
-}
 
 // What all tiles read.
 struct FrameJob {
@@ -215,7 +190,31 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
     return stats;
 }
 
-// Of one thread, but for the stores that grow.
+// At most: posed vertices, and triangles in chunks that grow, none of them culled.
+std::uint64_t geometry_bytes(const Scene& scene)
+{
+    std::uint64_t bytes = 0;
+    for (const Object& object : scene.objects) {
+        const Mesh& mesh = scene.meshes[object.mesh];
+        bytes += mesh.positions.size() * (sizeof(PosedVertex) + sizeof(Attributes));
+        bytes += mesh.indices.size() / 3 * (2 * sizeof(Triangle) + 4 * sizeof(std::uint32_t));
+    }
+    return bytes;
+}
+
+std::size_t most_triangles_of_a_tile(const Geometry& geometry, int tiles)
+{
+    std::vector<std::size_t> counts(static_cast<std::size_t>(tiles));
+    for (const TriangleChunk& chunk : geometry.chunks) {
+        for (std::size_t t = 0; t + 1 < chunk.tile_begin.size(); ++t) {
+            counts[t] += chunk.tile_begin[t + 1] - chunk.tile_begin[t];
+        }
+    }
+    return counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
+}
+
+// Of one thread, but for the stores that grow. A vector that grows holds its old contents beside
+// the new for a while: three times what it was.
 std::size_t thread_bytes(const FrameJob& job)
 {
     const auto samples = static_cast<std::size_t>(job.samples.count);
@@ -223,7 +222,14 @@ std::size_t thread_bytes(const FrameJob& job)
     const std::size_t per_fragment = sizeof(FragmentRun) + 16 * sizeof(float);
     std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
                         pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
-    if (job.surfaces.any_opaque) bytes += pixel_samples * 6 * sizeof(float);
+    const std::size_t triangles = most_triangles_of_a_tile(job.geometry, job.grid.count());
+    if (job.surfaces.any_opaque) {
+        bytes += pixel_samples * 6 * sizeof(float) + triangles * 3 * sizeof(OpaqueSurface);
+    }
+    const bool sorts = std::any_of(job.groups.begin(), job.groups.end(), [](const Group& group) {
+        return group.submission != Submission::as_given;
+    });
+    if (sorts) bytes += triangles * 4 * sizeof(SortedTriangle);  // and what stable_sort takes
     for (const Take& take : job.takes) {
         if (!take.method.row->bounded) continue;
         bytes += kTilePixels *
@@ -232,11 +238,16 @@ std::size_t thread_bytes(const FrameJob& job)
     return bytes;
 }
 
-MemoryPlan plan(const FrameJob& job, const Options& options, bool channels, int threads)
+MemoryPlan plan(const FrameJob& job, const Options& options, std::uint64_t reserved, int threads)
 {
-    MemoryNeeds needs{options.memory_limit, 0, channels ? 1u : 0u, thread_bytes(job), 0, threads};
-    needs.pixels =
-        static_cast<std::uint64_t>(job.grid.width) * static_cast<std::uint64_t>(job.grid.height);
+    MemoryNeeds needs{.limit = options.memory_limit,
+                      .pixels = static_cast<std::uint64_t>(job.grid.width) *
+                                static_cast<std::uint64_t>(job.grid.height),
+                      .pictures = options.channels ? 1u : 0u,
+                      .thread_bytes = thread_bytes(job),
+                      .growing_stores = 0,
+                      .threads = threads,
+                      .reserved = reserved};
     for (const Take& take : job.takes) {
         needs.pictures += take.variance ? 2 : 1;
         if (!take.method.row->bounded) ++needs.growing_stores;
@@ -263,13 +274,6 @@ void make_images(const FrameJob& job, bool channels, FrameTakes& result)
     result.channels = Channels{none, none, none, none};
 }
 
-int stream_capacity(const std::vector<Group>& groups)
-{
-    const bool again = std::any_of(groups.begin(), groups.end(),
-                                   [](const Group& group) { return group.uses > 1; });
-    return again ? kKeptFragments : kStreamFragments;
-}
-
 }  // namespace
 
 std::uint32_t frame_key(std::uint64_t seed, int frame)
@@ -279,12 +283,14 @@ std::uint32_t frame_key(std::uint64_t seed, int frame)
 }
 
 FrameTakes render_takes(const Scene& scene, const View& view, const Options& options,
-                        std::span<const Take> takes, SubpixelShift shift)
+                        const TakesRequest& request)
 {
     Stopwatch total, geometry_time;
     total.start();
+    const std::span<const Take> takes = request.takes;
+    require_memory(options.memory_limit, geometry_bytes(scene));
     const TargetSet targets = targets_of(options.simd);
-    const SampleSet samples = make_sample_set(view.samples, view.positions, shift);
+    const SampleSet samples = make_sample_set(view.samples, view.positions, request.shift);
     const SampleFilter filter(view.filter, samples);
     const TileGrid grid{view.width, view.height, filter.reach()};
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
@@ -314,7 +320,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
         job.verbs.push_back(take.method.row->verbs(targets, take.method, samples.count));
     }
     job.stream_capacity = stream_capacity(job.groups);
-    const MemoryPlan memory = plan(job, options, options.channels, geometry_threads);
+    const MemoryPlan memory = plan(job, options, request.reserved_memory, geometry_threads);
     job.store_bytes = memory.store_bytes;
 
     FrameTakes result;
@@ -352,7 +358,7 @@ Frame render_frame(const Scene& scene, const View& view, const Options& options)
     Take take{choose_method(options.method), {}, false};
     const int frames = take.method.row->random ? options.accumulate : 1;
     for (int i = 0; i < frames; ++i) take.keys.push_back(frame_key(options.seed, i));
-    FrameTakes result = render_takes(scene, view, options, {&take, 1}, {});
+    FrameTakes result = render_takes(scene, view, options, {{&take, 1}});
     if (options.memory_limit != 0) release_free_memory();
     TakeFrame& frame = result.frames.front();
     return {std::move(frame.image), std::move(frame.stats), std::move(result.channels)};

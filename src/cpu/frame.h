@@ -32,11 +32,18 @@ struct FrameTakes {
 // The key of one frame of a seed's sequence.
 std::uint32_t frame_key(std::uint64_t seed, int frame);
 
-// The pictures of `takes`, with all samples shifted; options.method, seed and accumulate are not
-// looked at. Fragments are rasterised and shaded once for all takes that want them in the same
-// order. The stats of a take hold shared times as if it were alone.
+// What is not the view's or the options'.
+struct TakesRequest {
+    std::span<const Take> takes;
+    SubpixelShift shift = {};           // of all samples
+    std::uint64_t reserved_memory = 0;  // of options.memory_limit: what the caller needs besides
+};
+
+// The pictures of the takes; options.method and accumulate are not looked at, and the seed is only
+// noted. Fragments are rasterised and shaded once for all takes that want them in the same order.
+// The stats of a take hold shared times as if it were alone, and the process's peak memory.
 FrameTakes render_takes(const Scene& scene, const View& view, const Options& options,
-                        std::span<const Take> takes, SubpixelShift shift);
+                        const TakesRequest& request);
 
 // As sheer::render, for a scene that has passed check_scene.
 Frame render_frame(const Scene& scene, const View& view, const Options& options);

@@ -20,6 +20,9 @@ constexpr std::uint64_t kEncodedPixelBytes = kPixelBytes + 1;
 constexpr std::uint64_t kSlack = 8 * kMiB, kThreadSlack = kMiB;
 // Below this a store that grows splits its tiles too often: several thousand fragments.
 constexpr std::size_t kLeastStore = kMiB;
+// And above this nothing is gained: thousands of layers in each pixel of a tile. Stores reserve as
+// many addresses, of which there are not always more than there is memory.
+constexpr std::size_t kMostStore = 512 * kMiB;
 
 [[noreturn]] void refuse(std::uint64_t limit, std::uint64_t needed)
 {
@@ -30,11 +33,18 @@ constexpr std::size_t kLeastStore = kMiB;
 
 }  // namespace
 
+void require_memory(std::uint64_t limit, std::uint64_t bytes)
+{
+    if (limit == 0) return;
+    const std::uint64_t needed = resident_memory_bytes() + kSlack + bytes;
+    if (needed > limit) refuse(limit, needed);
+}
+
 MemoryPlan plan_memory(const MemoryNeeds& needs)
 {
     if (needs.limit == 0) return {needs.threads, ~std::size_t{0}};
-    const std::uint64_t base =
-        resident_memory_bytes() + kSlack + needs.pictures * needs.pixels * kPixelBytes;
+    const std::uint64_t base = resident_memory_bytes() + kSlack + needs.reserved +
+                               needs.pictures * needs.pixels * kPixelBytes;
     const std::uint64_t growing = static_cast<std::uint64_t>(needs.growing_stores);
     const std::uint64_t least = needs.thread_bytes + kThreadSlack + growing * kLeastStore;
     const std::uint64_t needed = base + std::max(least, needs.pixels * kEncodedPixelBytes);
@@ -46,7 +56,7 @@ MemoryPlan plan_memory(const MemoryNeeds& needs)
     if (growing == 0) return {threads, 0};
     const std::uint64_t share =
         left / static_cast<std::uint64_t>(threads) - needs.thread_bytes - kThreadSlack;
-    return {threads, static_cast<std::size_t>(share / growing)};
+    return {threads, std::min(static_cast<std::size_t>(share / growing), kMostStore)};
 }
 
 }  // namespace sheer

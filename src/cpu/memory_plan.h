@@ -13,6 +13,7 @@ struct MemoryNeeds {
     std::size_t thread_bytes;  // what each thread holds, but for stores that grow
     int growing_stores;        // of each thread
     int threads;               // wanted
+    std::uint64_t reserved;    // bytes that the caller will need besides
 };
 
 struct MemoryPlan {
@@ -20,7 +21,11 @@ struct MemoryPlan {
     std::size_t store_bytes;  // for each store that grows
 };
 
-// Throws Error(Fault::work) that says how much is needed when not even one thread can work, or when
+// Throws Error(Fault::work) that says how much is needed when `bytes` more would not stay below the
+// limit.
+void require_memory(std::uint64_t limit, std::uint64_t bytes);
+
+// Throws the same when not even one thread can work, or when
 // there is no room to encode the picture afterwards.
 MemoryPlan plan_memory(const MemoryNeeds& needs);
 

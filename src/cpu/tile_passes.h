@@ -53,11 +53,11 @@ public:
     void draw(const TileSetting& setting, TileStore& store, SampleColors& colors);
 
     // All fragments in order, as for a single pass.
-    template <class Take>
-    void visit(const TileSetting& setting, Take&& take)
+    template <class Consume>
+    void visit(const TileSetting& setting, Consume&& consume)
     {
         rasterise(setting.job, [&](const FragmentStream& stream) {
-            take(stream);
+            consume(stream);
             return true;
         });
     }
@@ -68,8 +68,8 @@ public:
     }
 
 private:
-    template <class Take>
-    bool rasterise(const TileJob& job, Take&& take);
+    template <class Consume>
+    bool rasterise(const TileJob& job, Consume&& consume);
     bool feed(const TileSetting& setting, const PixelRect& region, TileStore& store);
     void draw_region(const TileSetting& setting, const PixelRect& region, TileStore& store,
                      SampleColors& colors);
@@ -84,15 +84,15 @@ private:
     std::array<Stopwatch, 3> keeping_;  // by Submission
 };
 
-template <class Take>
-bool TilePasses::rasterise(const TileJob& job, Take&& take)
+template <class Consume>
+bool TilePasses::rasterise(const TileJob& job, Consume&& consume)
 {
     const FragmentConsumer consumer{[](void* context, const FragmentStream& stream) {
-                                        return (*static_cast<Take*>(context))(stream);
+                                        return (*static_cast<Consume*>(context))(stream);
                                     },
-                                    &take};
+                                    &consume};
     return fragments_(job, scratch_, opaque_, stream_, consumer) &&
-           (stream_.size == 0 || take(stream_));
+           (stream_.size == 0 || consume(stream_));
 }
 
 }  // namespace sheer

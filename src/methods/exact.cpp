@@ -104,6 +104,8 @@ struct ExactStore {
     std::vector<LayerRun> runs;
     std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(kTilePixels);  // of the layers
     std::uint32_t most_in_pixel = 0;
+    // Since memory was given back: the most there was of each, and the bytes of all.
+    std::size_t most_layers = 0, most_runs = 0, most_in_any_pixel = 0, touched = 0;
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
     std::vector<Layer> by_pixel;
     std::vector<std::uint64_t> keys;  // of the pixel at hand
@@ -120,6 +122,7 @@ struct ExactStore {
 
     void clear(const TilePlace&)
     {
+        if (touched > most_bytes / 2) give_back();
         layers.clear();
         runs.clear();
         std::fill(counts.begin(), counts.end(), 0);
@@ -155,26 +158,40 @@ struct ExactStore {
         }
     }
 
-    // Room for as many, if that and what resolving them takes stays within most_bytes. Vectors that
-    // grow hold their old contents beside the new for a while: where memory is short, they get
-    // the room they may need at once, which costs nothing before it is used.
+    // Room for as many, if that and what resolving them takes stays within most_bytes. What earlier
+    // tiles have touched counts too, until `clear` gives it back. Vectors that grow hold their old
+    // contents beside the new for a while: where memory is short, they get the room that they may
+    // need at once, which costs nothing before it is used.
     bool reserve(std::size_t layer_count, std::size_t run_count)
     {
         constexpr std::size_t kLayerBytes = 2 * sizeof(Layer);  // as they came, and by pixel
         constexpr std::size_t kPixelLayerBytes =
             sizeof(keys[0]) + sizeof(order[0]) + sizeof(doubt[0]) + sizeof(sample_order[0]) +
             (sizeof(nearest[0]) + sizeof(furthest[0])) * L::kCount;
-        if (layer_count * kLayerBytes + run_count * sizeof(LayerRun) +
-                most_in_pixel * kPixelLayerBytes >
-            most_bytes) {
-            return false;
-        }
+        most_layers = std::max(most_layers, layer_count);
+        most_runs = std::max(most_runs, run_count);
+        most_in_any_pixel = std::max<std::size_t>(most_in_any_pixel, most_in_pixel);
+        touched = most_layers * kLayerBytes + most_runs * sizeof(LayerRun) +
+                  3 * most_in_any_pixel * kPixelLayerBytes;
+        if (touched > most_bytes) return false;
         if (layers.capacity() == 0 && most_bytes != ~std::size_t{0}) {
             layers.reserve(most_bytes / kLayerBytes);
             by_pixel.reserve(most_bytes / kLayerBytes);
             runs.reserve(most_bytes / sizeof(LayerRun));
         }
         return true;
+    }
+
+    void give_back()
+    {
+        for (std::vector<Layer>* v : {&layers, &by_pixel}) std::vector<Layer>().swap(*v);
+        for (std::vector<float>* v : {&nearest, &furthest}) std::vector<float>().swap(*v);
+        std::vector<LayerRun>().swap(runs);
+        std::vector<std::uint64_t>().swap(keys);
+        std::vector<Placed>().swap(order);
+        std::vector<std::uint32_t>().swap(doubt);
+        std::vector<PreciselyPlaced>().swap(sample_order);
+        most_layers = most_runs = most_in_any_pixel = touched = 0;
     }
 
     void merge(const ExactStore& other)

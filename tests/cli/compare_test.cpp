@@ -135,11 +135,20 @@ TEST(CliRender, ChannelsAccumulationAndMemory)
         tool.run({"render", "builtin:layers", "-o", "b.exr", "--channels", "./b.exr"});
     EXPECT_EQ(same.exit_code, 2);
     EXPECT_EQ(same.err, "sheer: ./b.exr: is both the picture and its channels\n");
-    const Outcome small =
-        tool.run({"render", "builtin:layers", "-o", "b.exr", "--memory-limit", "3"});
+    const auto with_limit = [&](const char* size, const char* limit) {
+        return tool.run(
+            {"render", "builtin:layers", "-o", "b.exr", "--size", size, "--memory-limit", limit});
+    };
+    const Outcome small = with_limit("16x16", "3");
     EXPECT_EQ(small.exit_code, 1);
-    EXPECT_TRUE(small.err.starts_with("sheer: memory-limit: 3 MiB are too little")) << small.err;
+    EXPECT_TRUE(small.err.starts_with("sheer: --memory-limit: reading the scene took"))
+        << small.err;
+    const Outcome large = with_limit("4096x4096", "400");
+    EXPECT_EQ(large.exit_code, 1);
+    EXPECT_TRUE(large.err.starts_with("sheer: memory-limit: 400 MiB are too little")) << large.err;
     EXPECT_FALSE(std::filesystem::exists(tool.file("b.exr")));
+    // More than there is.
+    EXPECT_EQ(with_limit("16x16", "1000000").exit_code, 0);
     const Outcome none = tool.run({"render", "builtin:layers", "-o", "b.exr", "--accumulate", "0"});
     EXPECT_EQ(none.exit_code, 2);
 }

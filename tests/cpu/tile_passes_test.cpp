@@ -49,7 +49,7 @@ void expect_takes_are_renders(const Scene& scene, const View& view)
     for (const std::string& method : all_methods()) {
         takes.push_back({choose_method(method), {frame_key(7, 0)}, false});
     }
-    const FrameTakes all = render_takes(scene, view, {}, takes, {});
+    const FrameTakes all = render_takes(scene, view, {}, {takes});
     for (std::size_t i = 0; i < takes.size(); ++i) {
         Options options;
         options.method = all_methods()[i];

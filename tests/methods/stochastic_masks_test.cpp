@@ -107,7 +107,7 @@ void expect_counts(const std::vector<int>& outcomes, const std::vector<double>& 
 Image red_over_green_picture(std::uint32_t key)
 {
     const Take take{choose_method("stochastic"), {key}, false};
-    return render_takes(scene_of(red_over_green()), centered_view(256, 8), {}, {&take, 1}, {})
+    return render_takes(scene_of(red_over_green()), centered_view(256, 8), {}, {{&take, 1}})
         .frames.front()
         .image;
 }

@@ -198,7 +198,7 @@ TEST(Stochastic, AccumulatedIsTheMeanOfThePictures)
     std::vector<std::vector<double>> sums(4, std::vector<double>(70 * 70));
     for (int i = 0; i < kPictures; ++i) {
         const Take take{choose_method(options.method), {frame_key(options.seed, i)}, false};
-        const FrameTakes one = render_takes(scene, view, options, {&take, 1}, {});
+        const FrameTakes one = render_takes(scene, view, options, {{&take, 1}});
         for (std::size_t c = 0; c < 4; ++c) {
             const std::vector<double> some = channel_of(one.frames.front().image, c);
             for (std::size_t p = 0; p < some.size(); ++p) sums[c][p] += some[p];
