@@ -70,6 +70,7 @@ template <int S>
 struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
     using Base = SampleStore<S, StochasticMethod<S>>;
     using typename Base::L;
+    using typename Base::real;
     using typename Base::Text;
     using Method = StochasticMethod<S>;
     using Block = Lanes<16>;  // of fragments
@@ -189,7 +190,6 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
     template <int Samples>
     HWY_INLINE void insert_run(const FragmentStream& f, const FragmentRun& run, std::size_t count)
     {
-        using real = typename L::real;
         constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
         // Copies, which what is stored below cannot alias.
         const DepthPlane plane = run.depth;
