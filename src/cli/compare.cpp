@@ -113,14 +113,17 @@ struct Result {
     std::vector<Compared> all;
 };
 
-// Pictures that are held at once, at most: those that are kept for error maps, those of one number
-// of samples in the making, and what measuring, drawing and encoding an error map take.
-std::uint64_t picture_bytes(const CompareRequest& request)
+std::uint64_t picture_bytes(const View& view)
 {
-    const std::size_t kept = 1 + request.methods.size() * request.samples.size();
-    const std::size_t pictures = kept + 4;
-    return pictures * sizeof(Float4) * static_cast<std::uint64_t>(request.given.view.width) *
-           static_cast<std::uint64_t>(request.given.view.height);
+    return sizeof(Float4) * static_cast<std::uint64_t>(view.width) *
+           static_cast<std::uint64_t>(view.height);
+}
+
+// Pictures that are held besides those in the making: the truth, those that are kept for error
+// maps, and what measuring, drawing and encoding an error map take.
+std::size_t pictures_besides(const CompareRequest& request)
+{
+    return 1 + request.methods.size() * request.samples.size() + 4;
 }
 
 Result compare_all(const Scene& scene, CompareRequest& request)
@@ -131,11 +134,11 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     double done = 0;
     Options options = request.given.options;
     options.progress = [&](double part) { bar.update(part * kTruthPasses / parts); };
-    const ComparisonRequest comparison{request.methods, request.seeds, picture_bytes(request)};
-    const std::uint64_t in_the_making = pictures_at_once(comparison) * comparison.reserved_memory /
-                                        (request.methods.size() * request.samples.size() + 5);
+    const std::uint64_t one = picture_bytes(request.given.view);
+    const ComparisonRequest comparison{request.methods, request.seeds,
+                                       pictures_besides(request) * one};
     Result result{render_truth(scene, request.given.view, options, kTruthPasses,
-                               comparison.reserved_memory + in_the_making),
+                               comparison.reserved_memory + pictures_at_once(comparison) * one),
                   {}};
     if (options.memory_limit != 0) release_free_memory();
     done = kTruthPasses;
