@@ -12,7 +12,7 @@ static void add_pane(sheer::Scene& scene, const sheer::Float3& color, float z)
     material.base_color = color;
     material.opacity = 0.5f;
     material.alpha_mode = sheer::AlphaMode::blend;
-    material.unlit = true;
+    material.shading = sheer::Shading::unlit;
     sheer::Mesh& mesh = scene.meshes.emplace_back();
     mesh.positions = {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}};
     mesh.indices = {0, 1, 2, 0, 2, 3};

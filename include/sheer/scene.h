@@ -10,8 +10,11 @@
 #include <string>
 #include <vector>
 
+#include <sheer/image.h>
+
 namespace sheer {
 
+using Float2 = std::array<float, 2>;
 using Float3 = std::array<float, 3>;
 using Float4 = std::array<float, 4>;
 using Mat4 = std::array<float, 16>;  // column-major, as in glTF
@@ -25,25 +28,96 @@ enum class AlphaMode {
     blend,   // transparent: these surfaces are what the methods are about
 };
 
+// A picture for textures as its file has it: 8 bits a channel, straight alpha, rows from the top.
+struct TextureImage {
+    std::string name;
+    int width = 0;  // texels, 1 to kMaxImageSize
+    int height = 0;
+    std::vector<std::array<std::uint8_t, 4>> texels;  // width * height, row by row
+};
+
+// What coordinates outside of [0, 1] mean.
+enum class Wrap { repeat, mirrored_repeat, clamp_to_edge };
+
+enum class TexelFilter { nearest, linear };
+enum class MipFilter { none, nearest, linear };
+
+// glTF 2.0, sampler.
+struct Sampler {
+    Wrap wrap_u = Wrap::repeat;
+    Wrap wrap_v = Wrap::repeat;
+    TexelFilter magnify = TexelFilter::linear;
+    TexelFilter minify = TexelFilter::linear;
+    MipFilter mip = MipFilter::linear;
+};
+
+// A material's use of an image. Coordinates (u, v) are (0, 0) at the image's top left corner and
+// (1, 1) at its bottom right one.
+struct Texture {
+    std::uint32_t image = 0;  // index into Scene::images
+    Sampler sampler;
+    std::uint32_t set = 0;  // of the mesh's texture coordinates: 0 or 1
+    // Of the coordinates, before wrapping: u' = t[0] u + t[1] v + t[2], v' = t[3] u + t[4] v +
+    // t[5].
+    std::array<float, 6> transform = {1, 0, 0, 0, 1, 0};
+};
+
+enum class Shading {
+    unlit,               // the colour is the radiance
+    diffuse,             // Lambert
+    metallic_roughness,  // glTF 2.0, appendix B
+};
+
+// Factors multiply what the textures hold. docs/numerics.md has the formulas.
 struct Material {
     std::string name;
+    Shading shading = Shading::diffuse;
     Float3 base_color = {1, 1, 1};  // linear, straight; multiplied by the vertex colour
     float opacity = 1;              // in [0, 1]; multiplied by the vertex colour's alpha
     AlphaMode alpha_mode = AlphaMode::opaque;
-    float alpha_cutoff = 0.5f;  // used by AlphaMode::mask alone
-    bool double_sided = false;  // false: triangles seen from behind are not drawn
-    bool unlit = false;         // true: the colour is the radiance
+    float alpha_cutoff = 0.5f;    // used by AlphaMode::mask alone
+    bool double_sided = false;    // false: triangles seen from behind are not drawn
+    float metallic = 0;           // in [0, 1]; Shading::metallic_roughness alone
+    float roughness = 1;          // in [0, 1]; perceptual: its square is the slopes' deviation
+    Float3 emission = {0, 0, 0};  // linear radiance that is added
+    // In [0, 1]: the part of the light not reflected that goes straight through, coloured by the
+    // base colour (KHR_materials_transmission); above 0 the surface is transparent in every mode.
+    float transmission = 0;
+    float normal_scale = 1;  // of the normal texture's x and y
+
+    std::optional<Texture> base_color_texture;          // sRGB, alpha is opacity
+    std::optional<Texture> metallic_roughness_texture;  // linear: roughness in g, metallic in b
+    std::optional<Texture> normal_texture;              // linear, tangent space, y up
+    std::optional<Texture> emission_texture;            // sRGB
+    std::optional<Texture> transmission_texture;        // linear, in r
+};
+
+enum class Topology {
+    triangles,  // counter-clockwise seen from the front
+    lines,      // drawn as ribbons that face the camera
+    points,     // drawn as squares that face the camera
 };
 
 struct Mesh {
     std::string name;
     std::vector<Float3> positions;
-    std::vector<Float3> normals;  // one for each position, or empty: flat, from the triangle
+    std::vector<Float3> normals;  // one for each position, or empty: flat, from the triangle; for
+                                  // lines and points facing the camera
     std::vector<Float4> colors;   // one for each position, linear straight RGBA, or empty: white
-    std::vector<std::uint32_t>
-        indices;  // three for each triangle, counter-clockwise seen from the front
+    std::vector<Float2> texcoords[2];  // two sets, each one for each position, or empty: (0, 0)
+    // One for each position, or empty: made from set 0. Unit length; w is 1 or -1, the side of the
+    // bitangent cross(normal, tangent) w.
+    std::vector<Float4> tangents;
+    Topology topology = Topology::triangles;
+    // Three for each triangle, two for each piece of a line, one for each point. Pieces that follow
+    // one another and share a vertex are joined.
+    std::vector<std::uint32_t> indices;
+    // Of lines and points: metres across in the object's own space; 0: kDefaultLineWidth pixels.
+    float width = 0;
     std::uint32_t material = 0;
 };
+
+inline constexpr float kDefaultLineWidth = 1.5f;  // pixels
 
 struct Object {
     std::string name;
@@ -53,6 +127,9 @@ struct Object {
     // triangle's number in the mesh; the order of Scene::objects is the order of submission only.
     // No two objects of a scene share one.
     std::uint32_t id = 0;
+    // In [0, 1]; below 1 the object is drawn as AlphaMode::blend would be, its opacity multiplied
+    // by this: for x-ray views of what is opaque.
+    float opacity = 1;
 };
 
 struct Camera {
@@ -79,13 +156,29 @@ struct Sky {
     Float3 down = {0.16f, 0.15f, 0.14f};
 };
 
+enum class LightKind { directional, point, spot };
+
+// KHR_lights_punctual; they cast no shadows.
+struct Light {
+    LightKind kind = LightKind::point;
+    Float3 position = {0, 0, 0};    // world space; point and spot
+    Float3 direction = {0, 0, -1};  // the way the light goes, world space, unit length
+    // Directional: irradiance of a surface that faces it. Point, spot: that at one metre.
+    Float3 intensity = {1, 1, 1};
+    float range = 0;                // metres from where on there is no light; 0: endless
+    float inner_cone = 0;           // spot: radians from the axis, full light within
+    float outer_cone = 0.7853982f;  // and none beyond; inner < outer <= pi / 2
+};
+
 struct Scene {
+    std::vector<TextureImage> images;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;  // in the order of submission
     std::vector<Camera> cameras;
     Sun sun;
     Sky sky;
+    std::vector<Light> lights;
     std::optional<Float4> background;  // linear, premultiplied; a view's own background wins
     std::vector<std::string> ignored;  // what the reader found and does not draw, one line each
 };

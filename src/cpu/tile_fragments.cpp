@@ -71,7 +71,7 @@ HWY_INLINE void set_surface(const Tile& tile, const TriangleChunk& chunk, const 
     const Attributes& a1 = geometry.attributes_of(chunk, t.vertex[1]);
     const Attributes& a2 = geometry.attributes_of(chunk, t.vertex[2]);
     result.side = t.back_facing ? -1.0f : 1.0f;
-    if (!surface.unlit) result.normal.set(a0.normal, a1.normal, a2.normal);
+    if (surface.shading != Shading::unlit) result.normal.set(a0.normal, a1.normal, a2.normal);
     if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
 }
 

@@ -17,7 +17,7 @@ namespace sheer {
 
 struct FrameSurfaces {
     std::vector<Surface> surfaces;  // one for each object
-    Light light;
+    Lighting light;
     std::vector<float> distances;  // of each object's centre, for Submission::objects_sorted
     bool any_opaque = false;       // OPAQUE or MASK somewhere in the scene
 };

@@ -166,7 +166,8 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
 {
     const Scene& scene = context.job.scene;
     const Mesh& mesh = scene.meshes[scene.objects[piece.object].mesh];
-    const bool flat = mesh.normals.empty() && !scene.materials[mesh.material].unlit;
+    const bool flat =
+        mesh.normals.empty() && scene.materials[mesh.material].shading != Shading::unlit;
     const std::uint32_t first_vertex = context.posed.first_vertex[piece.object];
     const std::uint32_t first_primitive = context.posed.first_primitive[piece.object];
     chunk.triangles.reserve(piece.end - piece.begin);

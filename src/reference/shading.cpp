@@ -105,7 +105,7 @@ Surface shade(const Scene& scene, const Geometry& geometry, const TriangleChunk&
     for (std::size_t k = 0; k < 3; ++k) {
         const double vertex_color = interpolate(weights, vertices[0]->color[k],
                                                 vertices[1]->color[k], vertices[2]->color[k]);
-        const double lit = material.unlit ? 1.0 : light(scene, normal, k);
+        const double lit = material.shading == Shading::unlit ? 1.0 : light(scene, normal, k);
         surface.color[k] = material.base_color[k] * vertex_color * lit * exposure_scale;
     }
     const double vertex_alpha =

@@ -48,7 +48,7 @@ struct Shaded {
 };
 
 template <class L>
-HWY_INLINE void apply_light(const TriangleSurface& t, const Light& light, typename L::real w1,
+HWY_INLINE void apply_light(const TriangleSurface& t, const Lighting& light, typename L::real w1,
                             typename L::real w2, Shaded<L>& f)
 {
     using real = typename L::real;
@@ -73,7 +73,7 @@ HWY_INLINE void apply_light(const TriangleSurface& t, const Light& light, typena
 
 // w1, w2: perspective-correct weights of vertices 1 and 2.
 template <class L>
-HWY_INLINE Shaded<L> shade(const Surface& surface, const TriangleSurface& t, const Light& light,
+HWY_INLINE Shaded<L> shade(const Surface& surface, const TriangleSurface& t, const Lighting& light,
                            typename L::real w1, typename L::real w2)
 {
     using real = typename L::real;
@@ -86,7 +86,7 @@ HWY_INLINE Shaded<L> shade(const Surface& surface, const TriangleSurface& t, con
         const real alpha = f.opacity * t.color.template at<L>(3, w1, w2);
         f.opacity = L::min(L::max(alpha, real(0.0f)), real(1.0f));
     }
-    if (!surface.unlit) apply_light<L>(t, light, w1, w2, f);
+    if (surface.shading != Shading::unlit) apply_light<L>(t, light, w1, w2, f);
     return f;
 }
 

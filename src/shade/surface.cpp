@@ -35,16 +35,16 @@ std::vector<Surface> make_surfaces(const Scene& scene, float exposure)
              opaque ? 1.0f : std::clamp(m.opacity, 0.0f, 1.0f),
              m.alpha_cutoff,
              m.alpha_mode,
-             m.unlit,
+             m.shading,
              !mesh.colors.empty(),
              object.id});
     }
     return surfaces;
 }
 
-Light make_light(const Scene& scene)
+Lighting make_light(const Scene& scene)
 {
-    Light light{scene.sun.to_light, scene.sun.color, {}, {}};
+    Lighting light{scene.sun.to_light, scene.sun.color, {}, {}};
     for (std::size_t c = 0; c < 3; ++c) {
         light.sky_mean[c] = 0.5f * (scene.sky.up[c] + scene.sky.down[c]);
         light.sky_slope[c] = 0.5f * (scene.sky.up[c] - scene.sky.down[c]);

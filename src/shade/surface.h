@@ -14,18 +14,18 @@ struct Surface {
     float opacity;
     float alpha_cutoff;
     AlphaMode alpha_mode;
-    bool unlit;
+    Shading shading;
     bool has_vertex_colors;
     std::uint32_t id;  // Object::id
 };
 
 // Radiance of a white Lambertian surface of normal n:
 // sky_mean + sky_slope n_y + sun max(0, n . to_light)
-struct Light {
+struct Lighting {
     Float3 to_light, sun, sky_mean, sky_slope;
 };
 
 std::vector<Surface> make_surfaces(const Scene& scene, float exposure);
-Light make_light(const Scene& scene);
+Lighting make_light(const Scene& scene);
 
 }  // namespace sheer

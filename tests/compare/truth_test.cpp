@@ -28,7 +28,7 @@ Scene half_plane(float edge, bool vertical)
     Scene scene;
     scene.background = Float4{0, 0, 0, 1};
     Material white;
-    white.unlit = true;
+    white.shading = Shading::unlit;
     white.double_sided = true;
     white.alpha_mode = AlphaMode::blend;
     scene.materials.push_back(white);

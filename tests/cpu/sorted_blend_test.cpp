@@ -41,7 +41,8 @@ Scene panes(int count, bool in_one_mesh)
         glass.base_color = {i % 2 == 0 ? 1.0f : 0.1f, 0.3f, i % 3 == 0 ? 0.9f : 0.2f};
         glass.opacity = 0.4f;
         glass.alpha_mode = AlphaMode::blend;
-        glass.double_sided = glass.unlit = true;
+        glass.double_sided = true;
+        glass.shading = Shading::unlit;
         const float z = -2.0f - 0.5f * static_cast<float>(i);
         Mesh pane;
         pane.positions = {{-1, -1, z}, {1, -1, z}, {1, 1, z}, {-1, 1, z}};

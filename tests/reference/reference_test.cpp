@@ -191,7 +191,7 @@ TEST(Shading, SunSkyAndExposure)
     // Normal (0, 3/5, 4/5) after normalising; the triangle is seen from behind, so it is turned.
     SmallScene small;
     Material material = unlit(AlphaMode::opaque, {0.5f, 0.5f, 0.5f}, 1);
-    material.unlit = false;
+    material.shading = Shading::diffuse;
     small.scene.sky.up = {1, 0, 0};
     small.scene.sky.down = {0, 1, 0};
     small.scene.sun.to_light = {0, 0, -1};

@@ -25,7 +25,7 @@ inline Material unlit(AlphaMode mode, Float3 color, float opacity)
     material.base_color = color;
     material.opacity = opacity;
     material.alpha_mode = mode;
-    material.unlit = true;
+    material.shading = Shading::unlit;
     return material;
 }
 

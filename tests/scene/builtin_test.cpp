@@ -230,7 +230,7 @@ TEST(Motor, IsOfThePapersSize)
     EXPECT_EQ(scene.objects.size(), 500u);
     ASSERT_EQ(scene.materials.size(), 1u);
     EXPECT_EQ(scene.materials[0].opacity, 0.3f);
-    EXPECT_FALSE(scene.materials[0].unlit);
+    EXPECT_EQ(scene.materials[0].shading, Shading::diffuse);
     EXPECT_EQ(make_builtin("motor?alpha=1").materials[0].opacity, 1.0f);
 }
 

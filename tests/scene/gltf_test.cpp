@@ -206,7 +206,8 @@ TEST(Gltf, ReadsMaterials)
     EXPECT_EQ(pane.base_color, (Float3{.25f, .5f, .75f}));
     EXPECT_EQ(pane.opacity, .5f);
     EXPECT_EQ(pane.alpha_mode, AlphaMode::blend);
-    EXPECT_TRUE(pane.double_sided && pane.unlit);
+    EXPECT_TRUE(pane.double_sided);
+    EXPECT_EQ(pane.shading, Shading::unlit);
     EXPECT_EQ(scene.materials[2].alpha_mode, AlphaMode::mask);
     EXPECT_EQ(scene.materials[2].alpha_cutoff, .25f);
     EXPECT_TRUE(scene.ignored.empty());

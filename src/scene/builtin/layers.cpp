@@ -93,7 +93,7 @@ Scene make_layers(const Query& query)
         material.opacity = static_cast<float>(at_or_last(layers.alpha, i));
         material.alpha_mode = AlphaMode::blend;
         material.double_sided = true;
-        material.unlit = true;
+        material.shading = Shading::unlit;
         scene.materials.push_back(material);
         scene.meshes.push_back(make_quad(at_or_last(layers.depth, i), i));
         scene.objects.push_back({"layer " + std::to_string(i), i, kIdentity, i});

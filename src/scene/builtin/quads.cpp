@@ -144,7 +144,7 @@ Scene make_quads(const Query& query)
     white.name = "white";
     white.alpha_mode = AlphaMode::blend;
     white.double_sided = true;
-    white.unlit = true;
+    white.shading = Shading::unlit;
     scene.materials.push_back(white);
     add_constants(scene);
     add_ramps(scene, split);

@@ -61,7 +61,7 @@ Material read_material(Import& import, const Value& value)
     // Above 1 nothing passes, however far; a float holds that much.
     material.alpha_cutoff = static_cast<float>(std::min(cutoff, 2.0));
     material.double_sided = truth_or(value, "doubleSided", false);
-    material.unlit = extension(value, "KHR_materials_unlit").has_value();
+    material.shading = extension(value, "KHR_materials_unlit") ? Shading::unlit : Shading::diffuse;
     note_textures(import, value);
     const auto emission = numbers_or<3>(value, "emissiveFactor", {0, 0, 0});
     if (emission != std::array<double, 3>{0, 0, 0}) {
