@@ -67,7 +67,6 @@ class FullestTile {
 public:
     explicit FullestTile(int samples)
         : set_(make_sample_set(samples, SamplePositions::standard)),
-          surfaces_{make_surfaces(motor(), 0), make_light(motor()), {}, false},
           opaque_(samples, false),
           stream_(kStreamFragments)
     {
@@ -75,6 +74,7 @@ public:
         view.width = view.height = kPictureSize;
         const Projection projection = resolve_camera(motor(), view);
         geometry_ = build_geometry({motor(), projection, grid_, set_.extent, 1});
+        surfaces_ = make_surfaces(motor(), 0, geometry_.eye, 1);
         std::vector<std::size_t> triangles(static_cast<std::size_t>(grid_.count()));
         for (const TriangleChunk& chunk : geometry_.chunks) {
             for (std::size_t t = 0; t + 1 < chunk.tile_begin.size(); ++t) {

@@ -30,3 +30,39 @@ SHEER_FN real3 exact_resolve(ExactSum s, real3 backdrop)
 {
     return over(s.color, s.transmittance, backdrop);
 }
+
+// The same where a fragment lets each channel through by itself: coloured glass.
+
+struct ExactColoredSum {
+    real3 color;  // premultiplied
+    real3 transmittance;
+};
+
+SHEER_FN ExactColoredSum exact_colored_clear()
+{
+    ExactColoredSum s;
+    s.color = real3(real(0.0f), real(0.0f), real(0.0f));
+    s.transmittance = real3(real(1.0f), real(1.0f), real(1.0f));
+    return s;
+}
+
+// `through`: the parts of red, green and blue that pass.
+SHEER_FN ExactColoredSum exact_colored_add(ExactColoredSum s, mask covered, real3 straight_color,
+                                           real opacity, real3 through)
+{
+    real alpha = select(covered, opacity, real(0.0f));
+    s.color = s.color + alpha * (s.transmittance * straight_color);
+    s.transmittance = select(covered, s.transmittance * through, s.transmittance);
+    return s;
+}
+
+SHEER_FN real3 exact_colored_resolve(ExactColoredSum s, real3 backdrop)
+{
+    return s.color + s.transmittance * backdrop;
+}
+
+// The mean over the channels.
+SHEER_FN real exact_colored_transmittance(ExactColoredSum s)
+{
+    return (s.transmittance.x + s.transmittance.y + s.transmittance.z) * real(0.33333334f);
+}

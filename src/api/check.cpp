@@ -30,6 +30,29 @@ bool are_colors(const Values& values)
     return std::all_of(values.begin(), values.end(), [](float v) { return v >= 0 && v <= 1e6f; });
 }
 
+std::size_t corners_of(Topology topology)
+{
+    switch (topology) {
+        case Topology::triangles: return 3;
+        case Topology::lines: return 2;
+        case Topology::points: return 1;
+    }
+    return 1;
+}
+
+template <class Values>
+void check_optional(const std::string& mesh, const char* what, const std::vector<Values>& values,
+                    std::size_t positions)
+{
+    if (values.empty()) return;
+    if (values.size() != positions) {
+        refuse(mesh + ": as many " + what + " as positions are needed, or none");
+    }
+    for (const Values& v : values) {
+        if (!are_finite(v)) refuse(mesh + ": its " + what + " are not all finite");
+    }
+}
+
 void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
 {
     const std::string name = "mesh " + std::to_string(number);
@@ -40,7 +63,16 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
     if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) {
         refuse(name + ": as many colours as positions are needed, or none");
     }
-    if (mesh.indices.size() % 3 != 0) refuse(name + ": the number of indices is no multiple of 3");
+    const std::size_t corners = corners_of(mesh.topology);
+    if (mesh.indices.size() % corners != 0) {
+        refuse(name + ": the number of indices is no multiple of " + std::to_string(corners));
+    }
+    if (!(mesh.width >= 0 && mesh.width <= 1e6f)) {
+        refuse(name + ": its width is not between 0 and 1,000,000");
+    }
+    check_optional(name, "texture coordinates", mesh.texcoords[0], mesh.positions.size());
+    check_optional(name, "texture coordinates", mesh.texcoords[1], mesh.positions.size());
+    check_optional(name, "tangents", mesh.tangents, mesh.positions.size());
     for (const std::uint32_t index : mesh.indices) {
         if (index >= mesh.positions.size()) refuse(name + ": an index is beyond its positions");
     }
@@ -55,7 +87,53 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
     }
 }
 
-void check_material(const Material& material, std::size_t number)
+bool is_part(float value)
+{
+    return value >= 0 && value <= 1;
+}
+
+void check_texture(const std::string& material, const std::optional<Texture>& texture,
+                   std::size_t images)
+{
+    if (!texture) return;
+    if (texture->image >= images) refuse(material + ": a texture's image does not exist");
+    if (texture->set > 1) refuse(material + ": texture coordinates are of set 0 or 1");
+    if (!are_finite(texture->transform)) {
+        refuse(material + ": a texture's transform is not finite");
+    }
+}
+
+void check_image(const TextureImage& image, std::size_t number)
+{
+    const std::string name = "image " + std::to_string(number);
+    if (image.width < 1 || image.height < 1 || image.width > kMaxImageSize ||
+        image.height > kMaxImageSize) {
+        refuse(name + ": its size is not between 1x1 and 16384x16384");
+    }
+    if (image.texels.size() !=
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height)) {
+        refuse(name + ": its texels are not as many as its size says");
+    }
+}
+
+void check_light(const Light& light, std::size_t number)
+{
+    const std::string name = "light " + std::to_string(number);
+    if (!are_finite(light.position) || !are_finite(light.direction)) {
+        refuse(name + ": its position or direction is not finite");
+    }
+    if (!are_colors(light.intensity)) {
+        refuse(name + ": its intensity is not between 0 and 1,000,000");
+    }
+    if (!(light.range >= 0)) refuse(name + ": its range is negative");
+    constexpr float kRightAngle = 1.5707964f;
+    if (!(light.inner_cone >= 0 && light.inner_cone < light.outer_cone &&
+          light.outer_cone <= kRightAngle)) {
+        refuse(name + ": its cones are not 0 <= inner < outer <= pi / 2");
+    }
+}
+
+void check_material(const Material& material, std::size_t number, std::size_t images)
 {
     const std::string name = "material " + std::to_string(number);
     if (!are_colors(material.base_color)) {
@@ -65,6 +143,21 @@ void check_material(const Material& material, std::size_t number)
         refuse(name + ": its opacity is not between 0 and 1");
     }
     if (!std::isfinite(material.alpha_cutoff)) refuse(name + ": its alpha cutoff is not finite");
+    if (!is_part(material.metallic) || !is_part(material.roughness) ||
+        !is_part(material.transmission)) {
+        refuse(name + ": metallic, roughness and transmission are between 0 and 1");
+    }
+    if (!are_colors(material.emission)) {
+        refuse(name + ": its emission is not between 0 and 1,000,000");
+    }
+    if (!(std::abs(material.normal_scale) <= 1e6f)) {
+        refuse(name + ": its normal scale is not between -1,000,000 and 1,000,000");
+    }
+    for (const auto* texture :
+         {&material.base_color_texture, &material.metallic_roughness_texture,
+          &material.normal_texture, &material.emission_texture, &material.transmission_texture}) {
+        check_texture(name, *texture, images);
+    }
 }
 
 }  // namespace
@@ -74,7 +167,11 @@ void check_scene(const Scene& scene)
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         check_mesh(scene.meshes[i], i, scene.materials.size());
     }
-    for (std::size_t i = 0; i < scene.materials.size(); ++i) check_material(scene.materials[i], i);
+    for (std::size_t i = 0; i < scene.images.size(); ++i) check_image(scene.images[i], i);
+    for (std::size_t i = 0; i < scene.materials.size(); ++i) {
+        check_material(scene.materials[i], i, scene.images.size());
+    }
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) check_light(scene.lights[i], i);
     if (!are_finite(scene.sun.to_light) || !are_colors(scene.sun.color) ||
         !are_colors(scene.sky.up) || !are_colors(scene.sky.down)) {
         refuse(
@@ -95,6 +192,7 @@ void check_scene(const Scene& scene)
             refuse(name + ": its id " + std::to_string(object.id) + " is taken");
         }
         if (!are_finite(object.transform)) refuse(name + ": its transform is not finite");
+        if (!is_part(object.opacity)) refuse(name + ": its opacity is not between 0 and 1");
     }
 }
 

@@ -63,7 +63,7 @@ Json methods_json()
                            {"any_order", name_of(row.any_order)},
                            {"merge", name_of(row.merge)},
                            {"random", row.random},
-                           {"coloured", row.coloured},
+                           {"coloured", row.colored_verbs != nullptr},
                            {"unbiased", row.bias == Bias::exact || row.bias == Bias::unbiased},
                            {"bias", name_of(row.bias)},
                            {"exact_up_to", most},
@@ -81,10 +81,10 @@ std::string properties_table()
     table.rows.push_back({"method", "passes", "bytes a pixel", "bounded", "any order", "coloured",
                           "on average", "exact up to", "what it is"});
     for (const MethodRow& row : method_table()) {
-        table.rows.push_back({row.id, std::to_string(row.passes), row.bytes_formula,
-                              yes(row.bounded), name_of(row.any_order), yes(row.coloured),
-                              name_of(row.bias), exact_up_to(row),
-                              row.title + std::string(row.bench_only ? " (bench only)" : "")});
+        table.rows.push_back(
+            {row.id, std::to_string(row.passes), row.bytes_formula, yes(row.bounded),
+             name_of(row.any_order), yes(row.colored_verbs != nullptr), name_of(row.bias),
+             exact_up_to(row), row.title + std::string(row.bench_only ? " (bench only)" : "")});
     }
     return table.text();
 }

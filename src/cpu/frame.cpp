@@ -57,13 +57,14 @@ struct Worker {
 std::unique_ptr<Worker> make_worker(const FrameJob& job)
 {
     const int samples = job.samples.count;
-    auto worker = std::make_unique<Worker>(Worker{
-        {job.tile_fragments, OpaqueTile(samples, job.surfaces.any_opaque), job.stream_capacity},
-        SampleColors(samples),
-        {},
-        {},
-        {},
-        {}});
+    auto worker = std::make_unique<Worker>(
+        Worker{{job.tile_fragments, OpaqueTile(samples, job.surfaces.any_opaque),
+                FragmentStream(job.stream_capacity, job.surfaces.any_colored)},
+               SampleColors(samples),
+               {},
+               {},
+               {},
+               {}});
     for (std::size_t i = 0; i < job.takes.size(); ++i) {
         const ChosenMethod& method = job.takes[i].method;
         const StoreShape shape{&job.samples, &method, job.eye, job.stream_capacity,
@@ -114,18 +115,15 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
 }
 
 FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
-                               std::span<const Take> takes)
+                               const Eye& eye, int threads, std::span<const Take> takes)
 {
-    FrameSurfaces result{make_surfaces(scene, view.exposure), make_light(scene), {}, false};
+    FrameSurfaces result = make_surfaces(scene, view.exposure, eye, threads);
     const auto sorts_objects = [](const Take& take) {
         return submission_of(take) == Submission::objects_sorted;
     };
     if (std::any_of(takes.begin(), takes.end(), sorts_objects)) {
         result.distances = object_distances(scene, projection);
     }
-    result.any_opaque =
-        std::any_of(result.surfaces.begin(), result.surfaces.end(),
-                    [](const Surface& s) { return s.alpha_mode != AlphaMode::blend; });
     return result;
 }
 
@@ -193,11 +191,30 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
 // At most: posed vertices, and triangles in chunks that grow, none of them culled.
 std::uint64_t geometry_bytes(const Scene& scene)
 {
+    const bool textured = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
+        return !m.texcoords[0].empty() || !m.texcoords[1].empty();
+    });
+    const std::size_t vertex_bytes =
+        sizeof(PosedVertex) + sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0);
+    constexpr std::size_t kTriangleBytes = 2 * sizeof(Triangle) + 4 * sizeof(std::uint32_t);
+    // Of a ribbon or square on its way, which is a mesh of its own.
+    constexpr std::size_t kMadeBytes =
+        3 * (2 * sizeof(Float3) + sizeof(Float4) + 2 * sizeof(Float2));
     std::uint64_t bytes = 0;
     for (const Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[object.mesh];
-        bytes += mesh.positions.size() * (sizeof(PosedVertex) + sizeof(Attributes));
-        bytes += mesh.indices.size() / 3 * (2 * sizeof(Triangle) + 4 * sizeof(std::uint32_t));
+        const std::size_t indices = mesh.indices.size();
+        switch (mesh.topology) {
+            case Topology::triangles:
+                bytes += mesh.positions.size() * vertex_bytes + indices / 3 * kTriangleBytes;
+                break;
+            case Topology::lines:
+                bytes += indices * (2 * (vertex_bytes + kMadeBytes) + kTriangleBytes);
+                break;
+            case Topology::points:
+                bytes += indices * (4 * (vertex_bytes + kMadeBytes) + 2 * kTriangleBytes);
+                break;
+        }
     }
     return bytes;
 }
@@ -219,7 +236,7 @@ std::size_t thread_bytes(const FrameJob& job)
 {
     const auto samples = static_cast<std::size_t>(job.samples.count);
     const std::size_t pixel_samples = kTilePixels * samples;
-    const std::size_t per_fragment = sizeof(FragmentRun) + 16 * sizeof(float);
+    const std::size_t per_fragment = sizeof(FragmentRun) + 19 * sizeof(float);
     std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
                         pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
     const std::size_t triangles = most_triangles_of_a_tile(job.geometry, job.grid.count());
@@ -288,7 +305,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     Stopwatch total, geometry_time;
     total.start();
     const std::span<const Take> takes = request.takes;
-    require_memory(options.memory_limit, geometry_bytes(scene));
+    require_memory(options.memory_limit, geometry_bytes(scene) + surfaces_bytes(scene));
     const TargetSet targets = targets_of(options.simd);
     const SampleSet samples = make_sample_set(view.samples, view.positions, request.shift);
     const SampleFilter filter(view.filter, samples);
@@ -300,7 +317,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     const int geometry_threads = std::min(wanted, grid.count());
     const Geometry geometry =
         build_geometry({scene, projection, grid, samples.extent, geometry_threads});
-    const FrameSurfaces surfaces = prepare_surfaces(scene, view, projection, takes);
+    const FrameSurfaces surfaces =
+        prepare_surfaces(scene, view, projection, geometry.eye, geometry_threads, takes);
     geometry_time.stop();
 
     FrameJob job{takes,
@@ -317,7 +335,10 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
                  0,
                  0};
     for (const Take& take : takes) {
-        job.verbs.push_back(take.method.row->verbs(targets, take.method, samples.count));
+        const MethodRow& row = *take.method.row;
+        const bool colored = surfaces.any_colored && row.colored_verbs != nullptr;
+        job.verbs.push_back(
+            (colored ? row.colored_verbs : row.verbs)(targets, take.method, samples.count));
     }
     job.stream_capacity = stream_capacity(job.groups);
     const MemoryPlan memory = plan(job, options, request.reserved_memory, geometry_threads);

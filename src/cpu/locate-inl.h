@@ -18,6 +18,14 @@ struct Located {
     Block::real depth;
 };
 
+// Before perspective.
+struct LocatedOnScreen {
+    Block::real b1, b2;  // affine weights at the centroid
+    Block::real depth;   // at the pixel's centre
+    Block::whole column, row;
+    Block::real x, y;  // the centroid from the pixel's centre, subpixels
+};
+
 // Fragments i, i + 1, ... of the list: the centroid's offset from the pixel's centre in subpixels.
 HWY_INLINE void centroid(const SampleSet& set, const CoverageList& list, int i, Block::real& x,
                          Block::real& y)
@@ -51,28 +59,37 @@ HWY_INLINE Block::real weight_at_center(const WeightPlane& w, const TrianglePlan
            Block::to_real(row) * real(w.pixel_y);
 }
 
-HWY_INLINE Located locate(const TrianglePlanes& planes, const SampleSet& set,
-                          const CoverageList& list, int i)
+HWY_INLINE LocatedOnScreen locate_on_screen(const TrianglePlanes& planes, const SampleSet& set,
+                                            const CoverageList& list, int i)
 {
     using real = Block::real;
     using whole = Block::whole;
     static_assert(kTileSize == 1 << 5);
     const whole pixel = whole::load(list.pixel + i);
-    const whole column = pixel & whole(kTileSize - 1), row = pixel.shift_right<5>();
-    real b1 = weight_at_center(planes.weight1, planes, column, row);
-    real b2 = weight_at_center(planes.weight2, planes, column, row);
-    const real depth = real(planes.depth0) + b1 * real(planes.depth1) + b2 * real(planes.depth2);
-    if (!set.centered) {
-        real x, y;
-        centroid(set, list, i, x, y);
-        b1 = b1 + (x * real(planes.weight1.dx) + y * real(planes.weight1.dy));
-        b2 = b2 + (x * real(planes.weight2.dx) + y * real(planes.weight2.dy));
-    }
-    if (planes.affine) return {b1, b2, depth};
-    const real q1 = b1 * real(planes.inverse_w[1]), q2 = b2 * real(planes.inverse_w[2]);
-    const real sum = (real(1.0f) - b1 - b2) * real(planes.inverse_w[0]) + q1 + q2;
+    LocatedOnScreen at;
+    at.column = pixel & whole(kTileSize - 1);
+    at.row = pixel.shift_right<5>();
+    at.b1 = weight_at_center(planes.weight1, planes, at.column, at.row);
+    at.b2 = weight_at_center(planes.weight2, planes, at.column, at.row);
+    at.depth = real(planes.depth0) + at.b1 * real(planes.depth1) + at.b2 * real(planes.depth2);
+    at.x = at.y = real(0.0f);
+    if (set.centered) return at;
+    centroid(set, list, i, at.x, at.y);
+    at.b1 = at.b1 + (at.x * real(planes.weight1.dx) + at.y * real(planes.weight1.dy));
+    at.b2 = at.b2 + (at.x * real(planes.weight2.dx) + at.y * real(planes.weight2.dy));
+    return at;
+}
+
+HWY_INLINE Located locate(const TrianglePlanes& planes, const SampleSet& set,
+                          const CoverageList& list, int i)
+{
+    using real = Block::real;
+    const LocatedOnScreen at = locate_on_screen(planes, set, list, i);
+    if (planes.affine) return {at.b1, at.b2, at.depth};
+    const real q1 = at.b1 * real(planes.inverse_w[1]), q2 = at.b2 * real(planes.inverse_w[2]);
+    const real sum = (real(1.0f) - at.b1 - at.b2) * real(planes.inverse_w[0]) + q1 + q2;
     const real scale = real(1.0f) / sum;
-    return {q1 * scale, q2 * scale, depth};
+    return {q1 * scale, q2 * scale, at.depth};
 }
 
 }  // namespace sheer::HWY_NAMESPACE

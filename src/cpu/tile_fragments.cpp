@@ -12,10 +12,12 @@
 #include <hwy/foreach_target.h>
 
 #include "cpu/locate-inl.h"
+#include "cpu/shade_point-inl.h"
 #include "cpu/visibility-inl.h"
 #include "geometry/screen_bounds.h"
 #include "raster/coverage-inl.h"
 #include "raster/coverage_wide.h"
+#include "shade/detail-inl.h"
 #include "shade/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -31,6 +33,7 @@ struct Tile {
     // The functions for this number of samples.
     OpaqueSamples samples;
     CoverFunction cover_narrow;
+    EyeRays rays;
     bool wanted = true;  // by the consumer
 };
 
@@ -75,6 +78,56 @@ HWY_INLINE void set_surface(const Tile& tile, const TriangleChunk& chunk, const 
     if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
 }
 
+inline void set_detail(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
+                       TriangleDetail& result)
+{
+    const Geometry& geometry = *tile.job.geometry;
+    const TextureAttributes a0 = geometry.texture_attributes_of(chunk, t.vertex[0]);
+    const TextureAttributes a1 = geometry.texture_attributes_of(chunk, t.vertex[1]);
+    const TextureAttributes a2 = geometry.texture_attributes_of(chunk, t.vertex[2]);
+    for (std::size_t set = 0; set < 2; ++set) {
+        result.texcoords[set].set(a0.texcoords[set], a1.texcoords[set], a2.texcoords[set]);
+    }
+    result.tangent.set(a0.tangent, a1.tangent, a2.tangent);
+    result.bitangent_side = a0.tangent[3] < 0 ? -1.0f : 1.0f;
+}
+
+// A triangle's fragments, shaded a block at a time: `store(i, depth at the pixel's centre, shaded,
+// what passes through)` for fragments i, i + 1, ... of the list.
+template <class Store>
+HWY_INLINE void shade_all(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
+                          const TrianglePlanes& planes, const CoverageList& list, int first,
+                          int end, Store&& store)
+{
+    const SampleSet& set = *tile.job.samples;
+    const Lighting& light = tile.job.surfaces->light;
+    const Surface& surface = tile.job.surfaces->surfaces[t.object];
+    TriangleSurface triangle;
+    set_surface(tile, chunk, t, surface, triangle);
+    if (surface.detail == nullptr) {
+        for (int i = first; i < end; i += Block::kCount) {
+            const Located at = locate(planes, set, list, i);
+            const Shaded<Block> f = shade<Block>(surface, triangle, light, at.w1, at.w2);
+            const Block::real rest = Block::real(1.0f) - f.opacity;
+            store(i, at.depth, f, Vector<Block>{rest, rest, rest});
+        }
+        return;
+    }
+    TriangleDetail detail;
+    set_detail(tile, chunk, t, detail);
+    const bool transmits = surface.detail->transmission > 0;
+    for (int i = first; i < end; i += Block::kCount) {
+        const LocatedOnScreen at = locate_on_screen(planes, set, list, i);
+        const ShadePoint<Block> point = shade_point(planes, tile.rays, at, end - i);
+        DetailedFragment<Block> f = shade_detail<Block>(surface, triangle, detail, light, point);
+        if (!transmits) {
+            const Block::real rest = Block::real(1.0f) - f.shaded.opacity;
+            f.transmittance = {rest, rest, rest};
+        }
+        store(i, at.depth, f.shaded, f.transmittance);
+    }
+}
+
 inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& t,
                         const Surface& surface)
 {
@@ -88,14 +141,10 @@ inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& 
     TrianglePlanes planes;
     make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
     tile.opaque.surfaces.push_back({planes.depth, t.primitive});
-    TriangleSurface triangle;
-    set_surface(tile, chunk, t, surface, triangle);
-    for (int i = 0; i < list.count; i += Block::kCount) {
-        const Located at = locate(planes, set, list, i);
-        const Shaded<Block> f =
-            shade<Block>(surface, triangle, tile.job.surfaces->light, at.w1, at.w2);
+    const auto write = [&](int i, Block::real center_depth, const Shaded<Block>& f,
+                           const Vector<Block>&) HWY_ATTR {
         alignas(64) float depth[16], red[16], green[16], blue[16], opacity[16];
-        at.depth.store(depth);
+        center_depth.store(depth);
         f.red.store(red);
         f.green.store(green);
         f.blue.store(blue);
@@ -110,7 +159,8 @@ inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& 
                                 depth[lane],
                                 {red[lane], green[lane], blue[lane]}});
         }
-    }
+    };
+    shade_all(tile, chunk, t, planes, list, 0, list.count, write);
 }
 
 // Moves the run's fragments down to `to`, without those of which nothing can be seen: all samples
@@ -134,6 +184,11 @@ inline void keep_visible(Tile& tile, FragmentRun& run, int to)
         s.green[kept] = s.green[i];
         s.blue[kept] = s.blue[i];
         s.opacity[kept] = s.opacity[i];
+        if (s.colored) {
+            s.through_red[kept] = s.through_red[i];
+            s.through_green[kept] = s.through_green[i];
+            s.through_blue[kept] = s.through_blue[i];
+        }
         ++kept;
     }
     run.first = static_cast<std::uint32_t>(to);
@@ -144,28 +199,29 @@ inline void keep_visible(Tile& tile, FragmentRun& run, int to)
 HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
 {
     FragmentStream& s = tile.stream;
-    const SampleSet& set = *tile.job.samples;
     const Triangle& t = *pending.triangle;
     const Surface& surface = tile.job.surfaces->surfaces[t.object];
     const CoverageList list{s.pixel.data(), s.samples.data(), s.samples_high.data(), 0};
     TrianglePlanes planes;
     make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
-    TriangleSurface triangle;
-    set_surface(tile, *pending.chunk, t, surface, triangle);
-    for (int i = pending.first; i < pending.first + pending.count; i += Block::kCount) {
-        const Located at = locate(planes, set, list, i);
-        const Shaded<Block> f =
-            shade<Block>(surface, triangle, tile.job.surfaces->light, at.w1, at.w2);
-        at.depth.store(s.depth.data() + i);
+    const auto write = [&](int i, Block::real center_depth, const Shaded<Block>& f,
+                           const Vector<Block>& through) HWY_ATTR {
+        center_depth.store(s.depth.data() + i);
         f.red.store(s.red.data() + i);
         f.green.store(s.green.data() + i);
         f.blue.store(s.blue.data() + i);
         f.opacity.store(s.opacity.data() + i);
-    }
+        if (!s.colored) return;
+        through.x.store(s.through_red.data() + i);
+        through.y.store(s.through_green.data() + i);
+        through.z.store(s.through_blue.data() + i);
+    };
+    shade_all(tile, *pending.chunk, t, planes, list, pending.first, pending.first + pending.count,
+              write);
     FragmentRun& run = s.runs[s.run_count];
     run = {static_cast<std::uint32_t>(pending.first), static_cast<std::uint32_t>(pending.count),
            t.primitive, surface.id, planes.depth};
-    if (tile.opaque.any || surface.has_vertex_colors || kept < pending.first) {
+    if (tile.opaque.any || surface.may_vanish || kept < pending.first) {
         keep_visible(tile, run, kept);
     }
     kept += static_cast<int>(run.count);
@@ -252,7 +308,7 @@ HWY_INLINE void for_each_transparent(const TileJob& job, std::vector<SortedTrian
                                      Draw&& draw)
 {
     const auto is_seen = [](const Surface& surface) {
-        return surface.alpha_mode == AlphaMode::blend && surface.opacity > 0;
+        return surface.transparent && surface.opacity * surface.object_opacity > 0;
     };
     if (job.submission == Submission::as_given) {
         for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
@@ -286,14 +342,15 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
               stream,
               consumer,
               opaque_samples_for(job.samples->count),
-              cover_function_for(*job.samples)};
+              cover_function_for(*job.samples),
+              make_eye_rays(job.geometry->eye, job.rect)};
     stream.clear();
     scratch.pending.clear();
     opaque.any = false;
     if (job.surfaces->any_opaque) {
         for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
                                    const Surface& surface) HWY_ATTR {
-            if (surface.alpha_mode != AlphaMode::blend) draw_opaque(tile, chunk, t, surface);
+            if (!surface.transparent) draw_opaque(tile, chunk, t, surface);
         });
     }
     for_each_transparent(job, scratch.sorted,

@@ -15,13 +15,6 @@
 
 namespace sheer {
 
-struct FrameSurfaces {
-    std::vector<Surface> surfaces;  // one for each object
-    Lighting light;
-    std::vector<float> distances;  // of each object's centre, for Submission::objects_sorted
-    bool any_opaque = false;       // OPAQUE or MASK somewhere in the scene
-};
-
 struct TileJob {
     const Geometry* geometry;
     const FrameSurfaces* surfaces;

@@ -54,8 +54,8 @@ std::pair<PixelRect, PixelRect> halves(const PixelRect& r)
 
 }  // namespace
 
-TilePasses::TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, int stream_capacity)
-    : fragments_(fragments), opaque_(std::move(opaque)), stream_(stream_capacity)
+TilePasses::TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, FragmentStream stream)
+    : fragments_(fragments), opaque_(std::move(opaque)), stream_(std::move(stream))
 {
 }
 

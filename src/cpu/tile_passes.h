@@ -41,7 +41,7 @@ struct TileSetting {
 
 class TilePasses {
 public:
-    TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, int stream_capacity);
+    TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, FragmentStream stream);
 
     // Rasterises the tile for stores that want fragments in the same order, and keeps the stream if
     // it is not too long. Not needed before `draw`.

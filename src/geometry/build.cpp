@@ -8,6 +8,7 @@
 
 #include "geometry/bins.h"
 #include "geometry/clip.h"
+#include "geometry/drawn_objects.h"
 #include "geometry/pose.h"
 #include "geometry/screen_bounds.h"
 #include "support/parallel.h"
@@ -32,6 +33,7 @@ struct Corner {
 
 struct Context {
     const GeometryJob& job;
+    const DrawnObjects& drawn;
     const ScreenMap& map;
     const PosedScene& posed;
 };
@@ -46,16 +48,12 @@ std::int64_t twice_area(const PosedVertex& v0, const PosedVertex& v1, const Pose
 void add_triangle(const Context& context, const Corner (&corners)[3], std::uint32_t primitive,
                   std::size_t object, TriangleChunk& chunk)
 {
-    const Scene& scene = context.job.scene;
     const PosedVertex &v0 = *corners[0].posed, &v1 = *corners[1].posed, &v2 = *corners[2].posed;
     const std::int64_t area = twice_area(v0, v1, v2);
     if (area == 0) return;
     // Counter-clockwise with y up is clockwise with y down.
     const bool front = (area < 0) != context.posed.mirrored[object];
-    if (!front) {
-        const Mesh& mesh = scene.meshes[scene.objects[object].mesh];
-        if (!scene.materials[mesh.material].double_sided) return;
-    }
+    if (!front && !context.drawn[object].double_sided) return;
     const int order[3] = {0, area > 0 ? 1 : 2, area > 0 ? 2 : 1};
     Triangle t;
     for (int i = 0; i < 3; ++i) {
@@ -80,6 +78,7 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
 // A triangle of the scene: its posed vertices and where their attributes are.
 struct SourceTriangle {
     Corner corners[3];
+    std::uint32_t posed_vertex[3];  // Corner::vertex before a flat triangle gets its own
     std::uint32_t primitive;
     std::size_t object;
 };
@@ -103,6 +102,24 @@ Attributes mix(const Context& context, const SourceTriangle& t, const TriangleCh
     return mixed;
 }
 
+TextureAttributes mix_texture_attributes(const Context& context, const SourceTriangle& t,
+                                         const std::array<float, 3>& weight)
+{
+    TextureAttributes mixed{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const TextureAttributes& a = context.posed.texture_attributes[t.posed_vertex[i]];
+        for (std::size_t set = 0; set < 2; ++set) {
+            for (std::size_t c = 0; c < 2; ++c) {
+                mixed.texcoords[set][c] += weight[i] * a.texcoords[set][c];
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) mixed.tangent[c] += weight[i] * a.tangent[c];
+    }
+    // The side of a triangle is that of its first vertex.
+    mixed.tangent[3] = context.posed.texture_attributes[t.posed_vertex[0]].tangent[3];
+    return mixed;
+}
+
 void add_clipped(const Context& context, const SourceTriangle& t, TriangleChunk& chunk)
 {
     const ClippedPolygon polygon =
@@ -112,6 +129,9 @@ void add_clipped(const Context& context, const SourceTriangle& t, TriangleChunk&
     for (int i = 0; i < polygon.count; ++i) {
         const auto& weight = polygon.vertices[static_cast<std::size_t>(i)].weight;
         chunk.own.push_back(mix(context, t, chunk, weight));
+        if (!context.posed.texture_attributes.empty()) {
+            chunk.own_texture_attributes.push_back(mix_texture_attributes(context, t, weight));
+        }
     }
     const auto at = [&](int k) {
         return Corner{&polygon.vertices[static_cast<std::size_t>(k)].posed,
@@ -160,12 +180,16 @@ void make_flat(const Context& context, const Mesh& mesh, std::size_t triangle, S
         corner.vertex = static_cast<std::uint32_t>(chunk.own.size()) | kOwnVertex;
         chunk.own.push_back(own);
     }
+    if (context.posed.texture_attributes.empty()) return;
+    for (const std::uint32_t vertex : t.posed_vertex) {
+        chunk.own_texture_attributes.push_back(context.posed.texture_attributes[vertex]);
+    }
 }
 
 void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
 {
     const Scene& scene = context.job.scene;
-    const Mesh& mesh = scene.meshes[scene.objects[piece.object].mesh];
+    const Mesh& mesh = *context.drawn[piece.object].mesh;
     const bool flat =
         mesh.normals.empty() && scene.materials[mesh.material].shading != Shading::unlit;
     const std::uint32_t first_vertex = context.posed.first_vertex[piece.object];
@@ -176,6 +200,7 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t vertex = first_vertex + mesh.indices[3 * i + k];
             t.corners[k] = {&context.posed.vertices[vertex], vertex};
+            t.posed_vertex[k] = vertex;
         }
         const std::uint32_t outside[3] = {t.corners[0].posed->outside, t.corners[1].posed->outside,
                                           t.corners[2].posed->outside};
@@ -193,14 +218,14 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
 }
 
 // Runs of objects and parts of objects, in order of submission, of about the same size.
-std::vector<std::vector<Piece>> cut_into_pieces(const Scene& scene, std::uint64_t triangles)
+std::vector<std::vector<Piece>> cut_into_pieces(const DrawnObjects& drawn, std::uint64_t triangles)
 {
     const std::size_t most =
         std::max(kTrianglesAtOnce, static_cast<std::size_t>(triangles) / kMostChunks + 1);
     std::vector<std::vector<Piece>> chunks;
     std::size_t room = 0;
-    for (std::size_t object = 0; object < scene.objects.size(); ++object) {
-        const std::size_t count = scene.meshes[scene.objects[object].mesh].indices.size() / 3;
+    for (std::size_t object = 0; object < drawn.size(); ++object) {
+        const std::size_t count = drawn[object].mesh->indices.size() / 3;
         for (std::size_t begin = 0; begin < count;) {
             if (room == 0) {
                 chunks.emplace_back();
@@ -215,25 +240,41 @@ std::vector<std::vector<Piece>> cut_into_pieces(const Scene& scene, std::uint64_
     return chunks;
 }
 
+Eye make_eye(const GeometryJob& job)
+{
+    const Projection& p = job.projection;
+    Eye eye{p.orthographic, {}, {}, {}, {}, p.scale_x, p.scale_y, job.grid.width, job.grid.height};
+    for (std::size_t i = 0; i < 3; ++i) {
+        eye.position[i] = p.eye[i];
+        eye.right[i] = p.world_to_view[4 * i];
+        eye.up[i] = p.world_to_view[4 * i + 1];
+        eye.back[i] = p.world_to_view[4 * i + 2];
+    }
+    return eye;
+}
+
 }  // namespace
 
 Geometry build_geometry(const GeometryJob& job)
 {
     const ScreenMap map(job.projection, job.grid.width, job.grid.height);
-    PosedScene posed = pose_scene(job.scene, job.projection, map, job.threads);
+    const DrawnObjects drawn(job.scene, job.projection, job.grid.height);
+    PosedScene posed = pose_scene(job.scene, drawn, job.projection, map, job.threads);
     Geometry geometry;
     geometry.orthographic = job.projection.orthographic;
-    for (const Object& object : job.scene.objects) {
-        geometry.submitted += job.scene.meshes[object.mesh].indices.size() / 3;
+    geometry.eye = make_eye(job);
+    for (std::size_t i = 0; i < drawn.size(); ++i) {
+        geometry.submitted += drawn[i].mesh->indices.size() / 3;
     }
-    const auto chunks = cut_into_pieces(job.scene, geometry.submitted);
+    const auto chunks = cut_into_pieces(drawn, geometry.submitted);
     geometry.chunks.resize(chunks.size());
-    const Context context{job, map, posed};
+    const Context context{job, drawn, map, posed};
     parallel_for(job.threads, chunks.size(), [&](std::size_t i, int) {
         for (const Piece& piece : chunks[i]) add_piece(context, piece, geometry.chunks[i]);
         bin_triangles(geometry.chunks[i], job.grid, job.samples);
     });
     geometry.attributes = std::move(posed.attributes);
+    geometry.texture_attributes = std::move(posed.texture_attributes);
     return geometry;
 }
 

@@ -2,6 +2,7 @@
 #include "geometry/pose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -71,9 +72,9 @@ struct ObjectPose {
     bool mirrored;
 };
 
-ObjectPose pose_object(const Object& object, const Projection& projection, const ScreenMap& map)
+ObjectPose pose_object(const Mat4& transform, const Projection& projection, const ScreenMap& map)
 {
-    const Matrix world = to_matrix(object.transform), view = to_view(projection, world);
+    const Matrix world = to_matrix(transform), view = to_view(projection, world);
     ObjectPose pose;
     const double scale[3] = {static_cast<double>(map.scale_x), static_cast<double>(map.scale_y),
                              1.0};
@@ -118,8 +119,43 @@ void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, 
     }
 }
 
+Float4 pose_tangent(const Float4& tangent, const Mat4& world, bool mirrored)
+{
+    double t[3], squared = 0;
+    for (std::size_t r = 0; r < 3; ++r) {
+        t[r] = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            t[r] += static_cast<double>(world[4 * c + r]) * static_cast<double>(tangent[c]);
+        }
+        squared += t[r] * t[r];
+    }
+    const double scale = squared > 0 && std::isfinite(squared) ? 1 / std::sqrt(squared) : 0;
+    return {static_cast<float>(t[0] * scale), static_cast<float>(t[1] * scale),
+            static_cast<float>(t[2] * scale), mirrored ? -tangent[3] : tangent[3]};
+}
+
+void pose_texture_range(const DrawnObject& object, bool mirrored, std::size_t begin,
+                        std::size_t end, TextureAttributes* attributes)
+{
+    const Mesh& mesh = *object.mesh;
+    for (std::size_t i = begin; i < end; ++i) {
+        TextureAttributes& a = attributes[i];
+        for (std::size_t set = 0; set < 2; ++set) {
+            if (!mesh.texcoords[set].empty()) a.texcoords[set] = mesh.texcoords[set][i];
+        }
+        if (object.tangents != nullptr) {
+            a.tangent = pose_tangent((*object.tangents)[i], object.transform, mirrored);
+        }
+    }
+}
+
+bool has_texcoords(const Mesh& mesh)
+{
+    return !mesh.texcoords[0].empty() || !mesh.texcoords[1].empty();
+}
+
 // Primitive ids count through the objects in the order of Object::id.
-std::vector<std::uint32_t> number_primitives(const Scene& scene)
+std::vector<std::uint32_t> number_primitives(const Scene& scene, const DrawnObjects& drawn)
 {
     std::vector<std::size_t> order(scene.objects.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -130,7 +166,7 @@ std::vector<std::uint32_t> number_primitives(const Scene& scene)
     std::uint64_t next = 0;
     for (const std::size_t i : order) {
         first[i] = static_cast<std::uint32_t>(next);
-        next += scene.meshes[scene.objects[i].mesh].indices.size() / 3;
+        next += drawn[i].mesh->indices.size() / 3;
     }
     constexpr std::uint64_t kMost = 0x7ffffffe;  // methods compare ids as signed integers
     if (next > kMost) {
@@ -184,8 +220,8 @@ void snap_vertex(PosedVertex& v, const ScreenMap& map)
     v.depth = map.orthographic ? v.distance : -1.0f / v.distance;
 }
 
-PosedScene pose_scene(const Scene& scene, const Projection& projection, const ScreenMap& map,
-                      int threads)
+PosedScene pose_scene(const Scene& scene, const DrawnObjects& drawn, const Projection& projection,
+                      const ScreenMap& map, int threads)
 {
     PosedScene posed;
     struct Range {
@@ -194,10 +230,12 @@ PosedScene pose_scene(const Scene& scene, const Projection& projection, const Sc
     std::vector<Range> ranges;
     std::vector<ObjectPose> poses;
     std::size_t total = 0;
+    bool textured = false;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-        const std::size_t count = scene.meshes[scene.objects[i].mesh].positions.size();
+        const std::size_t count = drawn[i].mesh->positions.size();
+        textured = textured || has_texcoords(*drawn[i].mesh);
         posed.first_vertex.push_back(static_cast<std::uint32_t>(total));
-        poses.push_back(pose_object(scene.objects[i], projection, map));
+        poses.push_back(pose_object(drawn[i].transform, projection, map));
         posed.normal_to_world.push_back(poses.back().normal);
         posed.mirrored.push_back(poses.back().mirrored);
         for (std::size_t begin = 0; begin < count; begin += kVerticesAtOnce) {
@@ -208,14 +246,19 @@ PosedScene pose_scene(const Scene& scene, const Projection& projection, const Sc
             throw Error(Fault::input, "the scene has more than 2,147,483,647 vertices");
         }
     }
-    posed.first_primitive = number_primitives(scene);
+    posed.first_primitive = number_primitives(scene, drawn);
     posed.vertices.resize(total);
     posed.attributes.resize(total);
+    if (textured) posed.texture_attributes.resize(total);
     parallel_for(threads, ranges.size(), [&](std::size_t i, int) {
         const Range& r = ranges[i];
         const std::size_t first = posed.first_vertex[r.object];
-        pose_range(scene.meshes[scene.objects[r.object].mesh], poses[r.object], map, r.begin, r.end,
+        pose_range(*drawn[r.object].mesh, poses[r.object], map, r.begin, r.end,
                    posed.vertices.data() + first, posed.attributes.data() + first);
+        if (has_texcoords(*drawn[r.object].mesh)) {
+            pose_texture_range(drawn[r.object], poses[r.object].mirrored, r.begin, r.end,
+                               posed.texture_attributes.data() + first);
+        }
     });
     return posed;
 }

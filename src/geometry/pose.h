@@ -6,6 +6,7 @@
 
 #include <sheer/scene.h>
 
+#include "geometry/drawn_objects.h"
 #include "geometry/triangles.h"
 #include "scene/camera.h"
 
@@ -70,15 +71,16 @@ struct NormalMatrix {
 
 struct PosedScene {
     std::vector<PosedVertex> vertices;
-    std::vector<Attributes> attributes;          // of the same vertices
-    std::vector<std::uint32_t> first_vertex;     // of each object
+    std::vector<Attributes> attributes;                 // of the same vertices
+    std::vector<TextureAttributes> texture_attributes;  // likewise, or empty
+    std::vector<std::uint32_t> first_vertex;            // of each object
     std::vector<std::uint32_t> first_primitive;  // of each object: primitive ids follow Object::id
     std::vector<NormalMatrix> normal_to_world;   // of each object
     std::vector<bool> mirrored;                  // objects whose transform turns the winding round
 };
 
 // Throws Error(Fault::input) when the scene has more than 2^31 vertices or 2^32 triangles.
-PosedScene pose_scene(const Scene& scene, const Projection& projection, const ScreenMap& map,
-                      int threads);
+PosedScene pose_scene(const Scene& scene, const DrawnObjects& drawn, const Projection& projection,
+                      const ScreenMap& map, int threads);
 
 }  // namespace sheer

@@ -18,6 +18,14 @@ struct Attributes {
     Float4 color;   // vertex colour, linear straight RGBA
 };
 
+// Of meshes with texture coordinates.
+struct TextureAttributes {
+    Float2 texcoords[2];
+    // World space, unit length or zero before interpolation; w: the side of the bitangent
+    // cross(normal, tangent) w, negated already in mirrored objects.
+    Float4 tangent;
+};
+
 // One triangle on the screen. With (x, y) to the right and down, vertices 0, 1, 2 turn so that
 //   twice_area = (x1 - x0) (y2 - y0) - (x2 - x0) (y1 - y0)  >  0
 // whichever side is seen. It fills a cache line: tiles read triangles from all over the memory.
@@ -42,6 +50,7 @@ struct SampleExtent {
 struct TriangleChunk {
     std::vector<Triangle> triangles;
     std::vector<Attributes> own;  // of vertices that clipping made, and of flat triangles
+    std::vector<TextureAttributes> own_texture_attributes;  // like `own`, or empty
     // Triangles that touch tile t: tile_triangles[tile_begin[t] .. tile_begin[t + 1]), in order.
     std::vector<std::uint32_t> tile_begin;
     std::vector<std::uint32_t> tile_triangles;
@@ -51,15 +60,33 @@ struct TriangleChunk {
 // Geometry::attributes.
 inline constexpr std::uint32_t kOwnVertex = 0x80000000u;
 
+// Where the scene is seen from: with it a point of the screen and its depth are a place in the
+// world. View space is scale_x, scale_y times smaller than the picture's -1 to 1 (scene/camera.h).
+struct Eye {
+    bool orthographic = false;
+    double position[3] = {}, right[3] = {}, up[3] = {}, back[3] = {};  // world space, unit axes
+    double scale_x = 1, scale_y = 1;
+    int width = 0, height = 0;  // of the picture
+};
+
 struct Geometry {
     std::vector<Attributes> attributes;
+    // Like `attributes`; empty where no mesh has texture coordinates.
+    std::vector<TextureAttributes> texture_attributes;
     std::vector<TriangleChunk> chunks;
     bool orthographic = false;
+    Eye eye;
     std::uint64_t submitted = 0;  // triangles of the scene's objects, before culling
 
     const Attributes& attributes_of(const TriangleChunk& chunk, std::uint32_t vertex) const
     {
         return (vertex & kOwnVertex) != 0 ? chunk.own[vertex & ~kOwnVertex] : attributes[vertex];
+    }
+    TextureAttributes texture_attributes_of(const TriangleChunk& chunk, std::uint32_t vertex) const
+    {
+        if (texture_attributes.empty()) return {};
+        return (vertex & kOwnVertex) != 0 ? chunk.own_texture_attributes[vertex & ~kOwnVertex]
+                                          : texture_attributes[vertex];
     }
 };
 

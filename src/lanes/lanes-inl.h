@@ -160,6 +160,12 @@ struct Lanes {
     // By comparison: the targets' own instructions differ in the sign of zero.
     static HWY_INLINE real max(real a, real b) { return select(a > b, a, b); }
     static HWY_INLINE real min(real a, real b) { return select(a < b, a, b); }
+    // Below 2^31 in magnitude.
+    static HWY_INLINE real floor(real a)
+    {
+        const real whole_part = to_real(to_whole(a));
+        return whole_part - zero_unless(whole_part > a, real(1.0f));
+    }
     static HWY_INLINE real sqrt(real a) { return hn::Sqrt(a.v); }
     static HWY_INLINE real gather(const float* base, whole index)
     {

@@ -26,6 +26,11 @@ struct real3 {
     {
         return real3(a * b.x, a * b.y, a * b.z);
     }
+    // Channel by channel.
+    friend SHEER_INLINE real3 operator*(real3 a, real3 b)
+    {
+        return real3(a.x * b.x, a.y * b.y, a.z * b.z);
+    }
 };
 
 SHEER_FN real select(mask m, real a, real b)

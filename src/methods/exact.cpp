@@ -5,7 +5,8 @@
 // composited with lanes over the samples; a sample at which that order proves wrong (surfaces that
 // cross inside the pixel), or too close to call in floats, is sorted in doubles and composited
 // again for itself. The order is by (depth, primitive), so the picture does not depend on the order
-// of arrival, to the last bit. 36 bytes a fragment, without bound.
+// of arrival, to the last bit. 36 bytes a fragment, 48
+// where there is coloured glass, without bound.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -17,86 +18,33 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
 #include "lanes/lone.h"
+#include "methods/exact_layers.h"
+#include "methods/exact_verbs-inl.h"
 #include "methods/samples-inl.h"
 #include "raster/sample_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
-// A kept fragment.
-struct Layer {
-    float red, green, blue, opacity;
-    float depth;  // at the pixel's centre
-    std::uint32_t pixel, run;
-    std::uint32_t samples, samples_high;
-
-    std::uint64_t bits() const { return samples | static_cast<std::uint64_t>(samples_high) << 32; }
-};
-static_assert(sizeof(Layer) == 36);
-
-struct LayerRun {
-    DepthPlane depth;
-    std::uint32_t primitive;
-};
-
-// A layer of the pixel at hand.
-struct Placed {
-    const Layer* layer;
-    const LayerRun* run;
-};
-
-// The same at one sample.
-struct PreciselyPlaced {
-    double depth;
-    std::uint32_t primitive;
-    const Layer* layer;
-
-    bool operator<(const PreciselyPlaced& b) const
-    {
-        return depth < b.depth || (depth == b.depth && primitive < b.primitive);
-    }
-};
-
-// Floats in the order of unsigned integers.
-inline std::uint64_t ordered_bits(float x)
-{
-    const auto bits = std::bit_cast<std::uint32_t>(x + 0.0f);  // -0 becomes 0
-    return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
-}
-
-// The first `size` items are sorted; puts another one among them.
-template <class Item>
-HWY_INLINE void insert_sorted(Item* items, std::size_t size, const Item& item)
-{
-    for (; size > 0 && item < items[size - 1]; --size) items[size] = items[size - 1];
-    items[size] = item;
-}
-
-template <class L>
-struct ExactText {
-#include "lanes/text_words.h"
-#include "sheer/over.glsl"
-#include "sheer/exact.glsl"
-};
-
-// A sum in memory, lane by lane.
-struct SumLanes {
-    alignas(64) float red[16], green[16], blue[16], transmittance[16];
-};
-
-template <int S>
+template <int S, class Layer>
 struct ExactStore {
     using L = Lanes<S>;
     using real = typename L::real;
     using mask = typename L::mask;
     using Text = ExactText<L>;
-    using Sum = typename Text::ExactSum;
+    using Verbs = ExactVerbs<Text, Layer>;
+    using Sum = typename Verbs::Sum;
+    // A sum in memory, lane by lane.
+    struct SumLanes {
+        alignas(64) float channel[Verbs::kChannels][16];
+    };
 
     const SampleSet& set;
     const std::size_t most_bytes;
@@ -108,13 +56,13 @@ struct ExactStore {
     std::size_t most_layers = 0, most_runs = 0, most_in_any_pixel = 0, touched = 0;
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
     std::vector<Layer> by_pixel;
-    std::vector<std::uint64_t> keys;  // of the pixel at hand
-    std::vector<Placed> order;        // its layers, near to far
+    std::vector<std::uint64_t> keys;   // of the pixel at hand
+    std::vector<Placed<Layer>> order;  // its layers, near to far
     // Of its samples s, s + 1, ...: a value a lane, layer after layer.
     std::vector<float> nearest;   // the least that depth may be
     std::vector<float> furthest;  // the most that depth may be up to here
     std::vector<std::uint32_t> doubt;
-    std::vector<PreciselyPlaced> sample_order;  // of one sample
+    std::vector<PreciselyPlaced<Layer>> sample_order;  // of one sample
 
     explicit ExactStore(const StoreShape& shape) : set(*shape.samples), most_bytes(shape.most_bytes)
     {
@@ -144,8 +92,15 @@ struct ExactStore {
             const auto number = static_cast<std::uint32_t>(runs.size());
             runs.push_back({run.depth, run.primitive});
             for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-                *to++ = {f.red[i],   f.green[i], f.blue[i],    f.opacity[i],     f.depth[i],
-                         f.pixel[i], number,     f.samples[i], f.samples_high[i]};
+                static_cast<PlainLayer&>(*to) = {f.red[i],     f.green[i],   f.blue[i],
+                                                 f.opacity[i], f.depth[i],   f.pixel[i],
+                                                 number,       f.samples[i], f.samples_high[i]};
+                if constexpr (std::is_same_v<Layer, ColoredLayer>) {
+                    to->through_red = f.through_red[i];
+                    to->through_green = f.through_green[i];
+                    to->through_blue = f.through_blue[i];
+                }
+                ++to;
             }
         }
         return true;
@@ -188,9 +143,9 @@ struct ExactStore {
         for (std::vector<float>* v : {&nearest, &furthest}) std::vector<float>().swap(*v);
         std::vector<LayerRun>().swap(runs);
         std::vector<std::uint64_t>().swap(keys);
-        std::vector<Placed>().swap(order);
+        std::vector<Placed<Layer>>().swap(order);
         std::vector<std::uint32_t>().swap(doubt);
-        std::vector<PreciselyPlaced>().swap(sample_order);
+        std::vector<PreciselyPlaced<Layer>>().swap(sample_order);
         most_layers = most_runs = most_in_any_pixel = touched = 0;
     }
 
@@ -219,8 +174,7 @@ struct ExactStore {
                 const Sum sum = composite(s);
                 resolve_samples<Text>(backdrop, pixel, s,
                                       [&](auto behind, real& transmittance) HWY_ATTR {
-                                          transmittance = sum.transmittance;
-                                          return Text::exact_resolve(sum, behind);
+                                          return Verbs::resolve(sum, behind, transmittance);
                                       });
             }
         }
@@ -281,7 +235,7 @@ struct ExactStore {
         doubt.resize(size);
         real so_far = real(0.0f) - infinity;
         for (std::size_t i = 0; i < size; ++i) {
-            const Placed& item = order[i];
+            const Placed<Layer>& item = order[i];
             const mask here = covers(*item.layer, s);
             const real depth = sample_depth<L>(item.run->depth, set, item.layer->depth, s);
             const real slack(item.run->depth.slack);
@@ -298,7 +252,7 @@ struct ExactStore {
 
     HWY_INLINE Sum composite(std::size_t s)
     {
-        Sum sum = Text::exact_clear();
+        Sum sum = Verbs::clear();
         for (std::size_t i = 0; i < order.size();) {
             const Sum before = sum;
             const std::size_t begin = i;
@@ -306,9 +260,7 @@ struct ExactStore {
             do {
                 doubtful |= doubt[i];
                 const Layer& layer = *order[i].layer;
-                sum = Text::exact_add(sum, covers(layer, s),
-                                      {real(layer.red), real(layer.green), real(layer.blue)},
-                                      real(layer.opacity));
+                sum = Verbs::add(sum, covers(layer, s), layer);
             } while (doubt[i++] != 0 && i < order.size());
             if (doubtful == 0) continue;
             SumLanes from, to;
@@ -318,18 +270,16 @@ struct ExactStore {
                 const auto lane = static_cast<std::size_t>(std::countr_zero(doubtful));
                 add_sorted(begin, i, s, lane, from, to);
             }
-            sum = {{real::load(to.red), real::load(to.green), real::load(to.blue)},
-                   real::load(to.transmittance)};
+            Verbs::for_each_channel(
+                sum, [&](int c, real& value) HWY_ATTR { value = real::load(to.channel[c]); });
         }
         return sum;
     }
 
     static HWY_INLINE void save(const Sum& sum, SumLanes& to)
     {
-        sum.color.x.store(to.red);
-        sum.color.y.store(to.green);
-        sum.color.z.store(to.blue);
-        sum.transmittance.store(to.transmittance);
+        Verbs::for_each_channel(
+            sum, [&](int c, const real& value) HWY_ATTR { value.store(to.channel[c]); });
     }
 
     // Layers [begin, end) of the common order, in their precise order at sample s + lane.
@@ -342,8 +292,8 @@ struct ExactStore {
             const Layer& layer = *order[i].layer;
             if ((layer.bits() >> (s + lane) & 1) == 0) continue;
             const LayerRun& run = *order[i].run;
-            const PreciselyPlaced item{precise_depth(run.depth, set, layer.pixel, s + lane),
-                                       run.primitive, &layer};
+            const PreciselyPlaced<Layer> item{precise_depth(run.depth, set, layer.pixel, s + lane),
+                                              run.primitive, &layer};
             if (end - begin <= kInsertionSortMost) {
                 insert_sorted(sample_order.data(), size, item);
             } else {
@@ -354,17 +304,13 @@ struct ExactStore {
         if (end - begin > kInsertionSortMost) {
             std::sort(sample_order.data(), sample_order.data() + size);
         }
-        using One = ExactText<Lone<float>>;
-        typename One::ExactSum sum{{from.red[lane], from.green[lane], from.blue[lane]},
-                                   from.transmittance[lane]};
+        using One = ExactVerbs<ExactText<Lone<float>>, Layer>;
+        typename One::Sum sum;
+        One::for_each_channel(sum, [&](int c, float& value) { value = from.channel[c][lane]; });
         for (std::size_t i = 0; i < size; ++i) {
-            const Layer& layer = *sample_order[i].layer;
-            sum = One::exact_add(sum, true, {layer.red, layer.green, layer.blue}, layer.opacity);
+            sum = One::add(sum, true, *sample_order[i].layer);
         }
-        to.red[lane] = sum.color.x;
-        to.green[lane] = sum.color.y;
-        to.blue[lane] = sum.color.z;
-        to.transmittance[lane] = sum.transmittance;
+        One::for_each_channel(sum, [&](int c, float value) { to.channel[c][lane] = value; });
     }
 
     HWY_INLINE mask covers(const Layer& layer, std::size_t s) const
@@ -373,9 +319,19 @@ struct ExactStore {
     }
 };
 
+template <int S>
+using PlainExactStore = ExactStore<S, PlainLayer>;
+template <int S>
+using ColoredExactStore = ExactStore<S, ColoredLayer>;
+
 StoreVerbs exact_store(int samples)
 {
-    return verbs_for_samples<ExactStore>(samples);
+    return verbs_for_samples<PlainExactStore>(samples);
+}
+
+StoreVerbs exact_colored_store(int samples)
+{
+    return verbs_for_samples<ColoredExactStore>(samples);
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -385,10 +341,16 @@ HWY_AFTER_NAMESPACE();
 namespace sheer {
 
 HWY_EXPORT(exact_store);
+HWY_EXPORT(exact_colored_store);
 
 StoreVerbs exact_verbs(TargetSet targets, const ChosenMethod&, int samples)
 {
     return SHEER_DISPATCH(exact_store, targets)(samples);
+}
+
+StoreVerbs exact_colored_verbs(TargetSet targets, const ChosenMethod&, int samples)
+{
+    return SHEER_DISPATCH(exact_colored_store, targets)(samples);
 }
 
 }  // namespace sheer

@@ -156,13 +156,15 @@ struct MethodRow {
     bool bounded;         // the store does not grow with the number of fragments
     Agreement any_order;  // of the stores for every order of arrival
     Agreement merge;      // of merged parts with the whole; none: merges in order of arrival only
-    bool coloured;        // honours coloured transmittance
     Bias bias;
     int exact_up_to;  // fragments a sample; -1: any number; 0: none
     bool random;      // the picture depends on the seed
     bool bench_only;
     Submission (*submission)(const ChosenMethod& method);  // null: as given
     StoreVerbs (*verbs)(TargetSet targets, const ChosenMethod& method, int samples);
+    // The same for scenes with coloured glass; null: takes the mean over the channels.
+    StoreVerbs (*colored_verbs)(TargetSet targets, const ChosenMethod& method,
+                                int samples) = nullptr;
 };
 
 // The one table, in the order in which help and reports list it.

@@ -8,6 +8,7 @@ namespace sheer {
 StoreVerbs none_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs blend_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs exact_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs exact_colored_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs stochastic_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
@@ -26,7 +27,6 @@ std::span<const MethodRow> method_table()
          .bounded = true,
          .any_order = Agreement::bits,
          .merge = Agreement::bits,
-         .coloured = false,
          .bias = Bias::neither,
          .exact_up_to = 0,
          .random = false,
@@ -43,7 +43,6 @@ std::span<const MethodRow> method_table()
          .bounded = true,
          .any_order = Agreement::none,
          .merge = Agreement::none,
-         .coloured = false,
          .bias = Bias::neither,
          .exact_up_to = 1,
          .random = false,
@@ -63,7 +62,6 @@ std::span<const MethodRow> method_table()
          .bounded = true,
          .any_order = Agreement::none,
          .merge = Agreement::none,
-         .coloured = false,
          .bias = Bias::neither,
          .exact_up_to = 1,
          .random = false,
@@ -80,13 +78,13 @@ std::span<const MethodRow> method_table()
          .bounded = false,
          .any_order = Agreement::bits,
          .merge = Agreement::bits,
-         .coloured = false,
          .bias = Bias::exact,
          .exact_up_to = -1,
          .random = false,
          .bench_only = false,
          .submission = nullptr,
-         .verbs = exact_verbs},
+         .verbs = exact_verbs,
+         .colored_verbs = exact_colored_verbs},
         {.id = "stochastic",
          .title = "Stochastic transparency: each fragment takes a random part of its samples",
          .citation = "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. I3D 2010",
@@ -102,7 +100,6 @@ std::span<const MethodRow> method_table()
          .bounded = true,
          .any_order = Agreement::bits,
          .merge = Agreement::bits,
-         .coloured = false,
          .bias = Bias::unbiased,
          .exact_up_to = 0,
          .random = true,
@@ -120,7 +117,6 @@ std::span<const MethodRow> method_table()
          .bounded = true,
          .any_order = Agreement::rounding,
          .merge = Agreement::rounding,
-         .coloured = false,
          .bias = Bias::neither,
          .exact_up_to = 1,
          .random = false,
@@ -139,7 +135,6 @@ std::span<const MethodRow> method_table()
          .bounded = true,
          .any_order = Agreement::rounding,
          .merge = Agreement::rounding,
-         .coloured = false,
          .bias = Bias::neither,
          .exact_up_to = 1,
          .random = false,

@@ -31,9 +31,13 @@ struct FragmentStream {
     AlignedArray<float> depth;                 // at the pixel's centre, not clamped
     AlignedArray<float> red, green, blue;      // straight, linear radiance
     AlignedArray<float> opacity;               // in (0, 1]
+    // Where there is coloured glass: the part of each channel that passes through the fragment;
+    // 1 - opacity is their mean. Else empty.
+    AlignedArray<float> through_red, through_green, through_blue;
+    bool colored = false;
 
     FragmentStream() = default;
-    explicit FragmentStream(int most)
+    explicit FragmentStream(int most, bool with_colors = false)
         : capacity(most),
           runs(most),
           pixel(most + kSlack),
@@ -45,6 +49,11 @@ struct FragmentStream {
           blue(most + kSlack),
           opacity(most + kSlack)
     {
+        if (!with_colors) return;
+        colored = true;
+        for (AlignedArray<float>* through : {&through_red, &through_green, &through_blue}) {
+            *through = AlignedArray<float>(most + kSlack);
+        }
     }
 
     void clear() { size = run_count = 0; }

@@ -71,21 +71,36 @@ HWY_INLINE void apply_light(const TriangleSurface& t, const Lighting& light, typ
              (real(light.sky_mean[2]) + real(light.sky_slope[2]) * up + real(light.sun[2]) * sun);
 }
 
+// Of what the material's factors, vertices and textures give. A MASK surface that is drawn first
+// keeps it, for its cutoff.
+template <class L>
+HWY_INLINE typename L::real surface_opacity(const Surface& surface, typename L::real alpha)
+{
+    using real = typename L::real;
+    const real zero(0.0f), one(1.0f);
+    if (surface.alpha_mode == AlphaMode::opaque) return real(surface.object_opacity);
+    const real opacity = L::min(L::max(real(surface.opacity) * alpha, zero), one);
+    if (surface.alpha_mode == AlphaMode::mask) {
+        if (!surface.transparent) return opacity;
+        return L::zero_unless(opacity >= real(surface.alpha_cutoff), real(surface.object_opacity));
+    }
+    return opacity * real(surface.object_opacity);
+}
+
 // w1, w2: perspective-correct weights of vertices 1 and 2.
 template <class L>
 HWY_INLINE Shaded<L> shade(const Surface& surface, const TriangleSurface& t, const Lighting& light,
                            typename L::real w1, typename L::real w2)
 {
     using real = typename L::real;
-    Shaded<L> f{real(surface.color[0]), real(surface.color[1]), real(surface.color[2]),
-                real(surface.opacity)};
+    Shaded<L> f{real(surface.color[0]), real(surface.color[1]), real(surface.color[2]), real(1.0f)};
     if (surface.has_vertex_colors) {
         f.red = f.red * t.color.template at<L>(0, w1, w2);
         f.green = f.green * t.color.template at<L>(1, w1, w2);
         f.blue = f.blue * t.color.template at<L>(2, w1, w2);
-        const real alpha = f.opacity * t.color.template at<L>(3, w1, w2);
-        f.opacity = L::min(L::max(alpha, real(0.0f)), real(1.0f));
+        f.opacity = t.color.template at<L>(3, w1, w2);
     }
+    f.opacity = surface_opacity<L>(surface, f.opacity);
     if (surface.shading != Shading::unlit) apply_light<L>(t, light, w1, w2, f);
     return f;
 }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "support/math.h"
+#include "support/parallel.h"
 
 namespace sheer {
 
@@ -19,37 +21,177 @@ float two_to_the(float exponent)
     return static_cast<float>(std::ldexp(own_exp(rest * kLn2), static_cast<int>(whole)));
 }
 
-}  // namespace
-
-std::vector<Surface> make_surfaces(const Scene& scene, float exposure)
+Float3 times(const Float3& color, float factor)
 {
-    const float gain = two_to_the(exposure);
-    std::vector<Surface> surfaces;
-    surfaces.reserve(scene.objects.size());
-    for (const Object& object : scene.objects) {
-        const Mesh& mesh = scene.meshes[object.mesh];
-        const Material& m = scene.materials[mesh.material];
-        const bool opaque = m.alpha_mode == AlphaMode::opaque;
-        surfaces.push_back(
-            {{m.base_color[0] * gain, m.base_color[1] * gain, m.base_color[2] * gain},
-             opaque ? 1.0f : std::clamp(m.opacity, 0.0f, 1.0f),
-             m.alpha_cutoff,
-             m.alpha_mode,
-             m.shading,
-             !mesh.colors.empty(),
-             object.id});
-    }
-    return surfaces;
+    return {color[0] * factor, color[1] * factor, color[2] * factor};
 }
 
-Lighting make_light(const Scene& scene)
+bool needs_detail(const Scene& scene, const Material& m)
 {
-    Lighting light{scene.sun.to_light, scene.sun.color, {}, {}};
+    const bool textured = m.base_color_texture || m.metallic_roughness_texture ||
+                          m.normal_texture || m.emission_texture || m.transmission_texture;
+    if (m.shading == Shading::unlit) return m.base_color_texture.has_value();
+    return textured || m.shading == Shading::metallic_roughness || m.emission != Float3{0, 0, 0} ||
+           !scene.lights.empty();
+}
+
+// Of transmission only what metallic-roughness knows.
+float transmission_of(const Material& m)
+{
+    return m.shading == Shading::metallic_roughness ? m.transmission : 0.0f;
+}
+
+TexelUse base_color_use(const Material& m)
+{
+    const bool opaque = m.alpha_mode == AlphaMode::opaque && !(transmission_of(m) > 0);
+    return opaque ? TexelUse::color : TexelUse::color_with_alpha;
+}
+
+// Makes each chain that a material needs once.
+class TextureMaker {
+public:
+    TextureMaker(const Scene& scene, FrameSurfaces& result) : scene_(scene), result_(result) {}
+
+    std::optional<PreparedTexture> prepare(const std::optional<Texture>& texture, TexelUse use)
+    {
+        if (!texture) return std::nullopt;
+        const auto [known, is_new] = numbers_.try_emplace({texture->image, use}, wanted_.size());
+        if (is_new) {
+            wanted_.push_back({texture->image, use});
+            result_.textures.emplace_back();
+        }
+        return PreparedTexture{&result_.textures[known->second], texture->sampler, texture->set,
+                               texture->transform};
+    }
+
+    void make_all(int threads)
+    {
+        parallel_for(threads, wanted_.size(), [&](std::size_t i, int) {
+            result_.textures[i] = make_mip_chain(scene_.images[wanted_[i].image], wanted_[i].use);
+        });
+    }
+
+private:
+    struct Wanted {
+        std::uint32_t image;
+        TexelUse use;
+        auto operator<=>(const Wanted&) const = default;
+    };
+    const Scene& scene_;
+    FrameSurfaces& result_;
+    std::map<Wanted, std::size_t> numbers_;
+    std::vector<Wanted> wanted_;
+};
+
+MaterialDetail make_detail(const Material& m, float gain, TextureMaker& textures)
+{
+    MaterialDetail detail{m.shading,
+                          m.metallic,
+                          m.roughness,
+                          transmission_of(m),
+                          m.normal_scale,
+                          times(m.emission, gain),
+                          textures.prepare(m.base_color_texture, base_color_use(m)),
+                          {},
+                          {},
+                          {},
+                          {}};
+    if (m.shading == Shading::unlit) {
+        detail.emission = {0, 0, 0};
+        return detail;
+    }
+    detail.normal = textures.prepare(m.normal_texture, TexelUse::data);
+    detail.emission_map = textures.prepare(m.emission_texture, TexelUse::color);
+    if (m.shading != Shading::metallic_roughness) return detail;
+    detail.metallic_roughness = textures.prepare(m.metallic_roughness_texture, TexelUse::data);
+    if (m.transmission > 0) {
+        detail.transmission_map = textures.prepare(m.transmission_texture, TexelUse::data);
+    }
+    return detail;
+}
+
+Surface make_surface(const Scene& scene, const Object& object, float gain,
+                     const FrameSurfaces& result)
+{
+    const Mesh& mesh = scene.meshes[object.mesh];
+    const Material& m = scene.materials[mesh.material];
+    const auto& detail = result.details[mesh.material];
+    const bool transmits = transmission_of(m) > 0;
+    const bool opaque = m.alpha_mode == AlphaMode::opaque;
+    Surface surface{detail ? m.base_color : times(m.base_color, gain),
+                    opaque ? 1.0f : std::clamp(m.opacity, 0.0f, 1.0f),
+                    m.alpha_cutoff,
+                    m.alpha_mode,
+                    m.shading,
+                    !mesh.colors.empty(),
+                    object.id};
+    surface.transparent = m.alpha_mode == AlphaMode::blend || transmits || object.opacity < 1;
+    surface.object_opacity = object.opacity;
+    surface.detail = detail ? &*detail : nullptr;
+    surface.may_vanish = surface.has_vertex_colors || m.alpha_mode == AlphaMode::mask ||
+                         transmits || m.base_color_texture.has_value();
+    return surface;
+}
+
+PreparedLight prepare_light(const Light& light, float gain, const Eye& eye)
+{
+    PreparedLight p{light.kind, {}, {}, times(light.intensity, gain), 0, 0, 0};
+    for (std::size_t i = 0; i < 3; ++i) {
+        p.place[i] = static_cast<float>(static_cast<double>(light.position[i]) - eye.position[i]);
+        p.to_light[i] = -light.direction[i];
+    }
+    if (light.range > 0) p.inverse_range = 1 / light.range;
+    const double inner = own_cos(static_cast<double>(light.inner_cone));
+    const double outer = own_cos(static_cast<double>(light.outer_cone));
+    p.outer_cosine = static_cast<float>(outer);
+    p.inverse_cone = static_cast<float>(1 / std::max(inner - outer, 1e-3));
+    return p;
+}
+
+Lighting make_lighting(const Scene& scene, float gain, const Eye& eye)
+{
+    Lighting light{scene.sun.to_light, scene.sun.color, {}, {}, gain, {}};
     for (std::size_t c = 0; c < 3; ++c) {
         light.sky_mean[c] = 0.5f * (scene.sky.up[c] + scene.sky.down[c]);
         light.sky_slope[c] = 0.5f * (scene.sky.up[c] - scene.sky.down[c]);
     }
+    for (const Light& l : scene.lights) light.lights.push_back(prepare_light(l, gain, eye));
     return light;
+}
+
+}  // namespace
+
+FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads)
+{
+    const float gain = two_to_the(exposure);
+    FrameSurfaces result;
+    result.light = make_lighting(scene, gain, eye);
+    TextureMaker textures(scene, result);
+    std::vector<bool> used(scene.materials.size());
+    for (const Object& object : scene.objects) used[scene.meshes[object.mesh].material] = true;
+    result.details.resize(scene.materials.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const Material& m = scene.materials[i];
+        if (used[i] && needs_detail(scene, m)) result.details[i] = make_detail(m, gain, textures);
+    }
+    textures.make_all(threads);
+    result.surfaces.reserve(scene.objects.size());
+    for (const Object& object : scene.objects) {
+        const Surface surface = make_surface(scene, object, gain, result);
+        result.any_opaque = result.any_opaque || !surface.transparent;
+        result.any_colored =
+            result.any_colored || (surface.detail != nullptr && surface.detail->transmission > 0);
+        result.surfaces.push_back(surface);
+    }
+    return result;
+}
+
+std::uint64_t surfaces_bytes(const Scene& scene)
+{
+    // Each image in each use at most.
+    std::uint64_t bytes = 0;
+    for (const TextureImage& image : scene.images) bytes += 3 * mip_chain_bytes(image);
+    return bytes;
 }
 
 }  // namespace sheer

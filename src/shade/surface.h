@@ -1,31 +1,90 @@
-// What shading needs to know of a material and of the light, prepared once a frame.
+// What shading needs to know of materials, textures and lights, prepared once a frame.
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <vector>
 
 #include <sheer/scene.h>
 
+#include "geometry/triangles.h"
+#include "shade/mip_chain.h"
+
 namespace sheer {
+
+struct PreparedTexture {
+    const MipChain* mips;
+    Sampler sampler;
+    std::uint32_t set;
+    std::array<float, 6> transform;
+};
+
+// What a material has beyond a colour under the sun and the sky.
+struct MaterialDetail {
+    Shading shading;
+    float metallic, roughness, transmission, normal_scale;
+    Float3 emission;  // times 2^exposure
+    std::optional<PreparedTexture> base_color, metallic_roughness, normal, emission_map,
+        transmission_map;
+    bool textured() const
+    {
+        return base_color || metallic_roughness || normal || emission_map || transmission_map;
+    }
+};
 
 // One for each object of the scene.
 struct Surface {
-    Float3 color;  // straight; times 2^exposure
+    Float3 color;  // straight; times 2^exposure where there is no `detail`
     float opacity;
     float alpha_cutoff;
     AlphaMode alpha_mode;
     Shading shading;
     bool has_vertex_colors;
     std::uint32_t id;  // Object::id
+    // Goes to the methods; else it is drawn first, opaque.
+    bool transparent = false;
+    bool may_vanish = false;  // some of its fragments may have no opacity
+    float object_opacity = 1;
+    const MaterialDetail* detail = nullptr;  // null: `color` and `opacity` are all
+};
+
+// A light as seen from the eye, its colours times 2^exposure.
+struct PreparedLight {
+    LightKind kind;
+    Float3 place;      // relative to the eye, world axes; point and spot
+    Float3 to_light;   // directional; of a spot: against its axis
+    Float3 intensity;  // irradiance, at one metre for point and spot
+    float inverse_range;
+    float outer_cosine, inverse_cone;  // spot: its edge, and 1 / (cosine within - cosine at it)
 };
 
 // Radiance of a white Lambertian surface of normal n:
 // sky_mean + sky_slope n_y + sun max(0, n . to_light)
 struct Lighting {
     Float3 to_light, sun, sky_mean, sky_slope;
+    float gain = 1;                     // 2^exposure
+    std::vector<PreparedLight> lights;  // the sun is not one of them
 };
 
-std::vector<Surface> make_surfaces(const Scene& scene, float exposure);
-Lighting make_light(const Scene& scene);
+// A scene's materials and light for one frame; points into itself.
+struct FrameSurfaces {
+    std::vector<Surface> surfaces;  // one for each object
+    Lighting light;
+    std::deque<MipChain> textures;
+    std::vector<std::optional<MaterialDetail>> details;  // one for each material
+    std::vector<float> distances;  // of each object's centre, for Submission::objects_sorted
+    bool any_opaque = false;
+    bool any_colored = false;  // fragments have a transmittance of their own for each channel
+
+    FrameSurfaces() = default;
+    FrameSurfaces(FrameSurfaces&&) = default;
+    FrameSurfaces& operator=(FrameSurfaces&&) = default;
+};
+
+FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads);
+
+// At most, of textures, while make_surfaces runs and after it.
+std::uint64_t surfaces_bytes(const Scene& scene);
 
 }  // namespace sheer

@@ -17,8 +17,9 @@ public:
           set_(make_sample_set(samples, positions)),
           counts_(static_cast<std::size_t>(width * height * samples))
     {
-        surfaces_.surfaces.resize(objects,
-                                  {{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, true, false, 0});
+        Surface surface{{1, 1, 1}, 0.5f, 0.5f, AlphaMode::blend, Shading::unlit, false, 0};
+        surface.transparent = true;
+        surfaces_.surfaces.resize(objects, surface);
     }
 
     // Counts of sample s of pixel (x, y) at (y width + x) samples + s.

@@ -1,0 +1,214 @@
+// Shading of materials with textures, reflections, lights or coloured glass, a vector of fragments
+// at a time (docs/numerics.md, "Shading").
+#if defined(SHEER_DETAIL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHEER_DETAIL_INL_H
+#undef SHEER_DETAIL_INL_H
+#else
+#define SHEER_DETAIL_INL_H
+#endif
+
+#include "shade/lights-inl.h"
+#include "shade/surface-inl.h"
+#include "shade/texture-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sheer::HWY_NAMESPACE {
+
+// Where fragments are shaded.
+template <class L>
+struct ShadePoint {
+    typename L::real w1, w2;      // perspective-correct weights of vertices 1 and 2
+    typename L::real w1_x, w2_x;  // how they change a pixel to the right
+    typename L::real w1_y, w2_y;  // and down
+    Vector<L> place;              // relative to the eye, world axes
+    Vector<L> to_eye;             // unit
+    int lanes;                    // that hold a fragment
+};
+
+// What a triangle adds to TriangleSurface for a material with textures.
+struct TriangleDetail {
+    Varying<2> texcoords[2];
+    Varying<3> tangent;
+    float bitangent_side;
+};
+
+template <class L>
+struct DetailedFragment {
+    Shaded<L> shaded;
+    Vector<L> transmittance;  // where the material transmits
+};
+
+template <class L>
+HWY_INLINE Footprint<L> footprint(const PreparedTexture& texture, const TriangleDetail& t,
+                                  const ShadePoint<L>& p)
+{
+    using real = typename L::real;
+    const Varying<2>& uv = t.texcoords[texture.set];
+    const auto& m = texture.transform;
+    const real u = uv.at<L>(0, p.w1, p.w2), v = uv.at<L>(1, p.w1, p.w2);
+    const auto step = [&](int c, real w1, real w2)
+                          HWY_ATTR { return w1 * real(uv.toward1[c]) + w2 * real(uv.toward2[c]); };
+    const real u_x = step(0, p.w1_x, p.w2_x), v_x = step(1, p.w1_x, p.w2_x);
+    const real u_y = step(0, p.w1_y, p.w2_y), v_y = step(1, p.w1_y, p.w2_y);
+    const auto turned = [&](std::size_t row, real a, real b)
+                            HWY_ATTR { return real(m[row]) * a + real(m[row + 1]) * b; };
+    return {turned(0, u, v) + real(m[2]), turned(3, u, v) + real(m[5]), turned(0, u_x, v_x),
+            turned(3, u_x, v_x),          turned(0, u_y, v_y),          turned(3, u_y, v_y)};
+}
+
+template <class L>
+HWY_INLINE Texel<L> look_up(const PreparedTexture& texture, const TriangleDetail& t,
+                            const ShadePoint<L>& p)
+{
+    return sample_texture<L>(texture, footprint<L>(texture, t, p), p.lanes);
+}
+
+// Straight.
+template <class L>
+struct BaseColor {
+    Vector<L> color;
+    typename L::real opacity;
+};
+
+template <class L>
+HWY_INLINE BaseColor<L> base_color(const Surface& surface, const TriangleSurface& triangle,
+                                   const TriangleDetail& detail, const ShadePoint<L>& p)
+{
+    using real = typename L::real;
+    BaseColor<L> base{Vector<L>::of(surface.color), real(1.0f)};
+    real alpha(1.0f);
+    if (surface.has_vertex_colors) {
+        base.color = base.color * Vector<L>{triangle.color.at<L>(0, p.w1, p.w2),
+                                            triangle.color.at<L>(1, p.w1, p.w2),
+                                            triangle.color.at<L>(2, p.w1, p.w2)};
+        alpha = triangle.color.at<L>(3, p.w1, p.w2);
+    }
+    if (surface.detail->base_color) {
+        const Texel<L> texel = look_up<L>(*surface.detail->base_color, detail, p);
+        const real scale = L::zero_unless(texel.a > real(0.0f), real(1.0f) / texel.a);
+        base.color = base.color * Vector<L>{texel.r * scale, texel.g * scale, texel.b * scale};
+        alpha = alpha * texel.a;
+    }
+    base.opacity = surface_opacity<L>(surface, alpha);
+    return base;
+}
+
+template <class L>
+HWY_INLINE Vector<L> surface_normal(const Surface& surface, const TriangleSurface& triangle,
+                                    const TriangleDetail& detail, const ShadePoint<L>& p)
+{
+    using real = typename L::real;
+    const Varying<3>& n = triangle.normal;
+    Vector<L> normal = normalized(
+        Vector<L>{n.at<L>(0, p.w1, p.w2), n.at<L>(1, p.w1, p.w2), n.at<L>(2, p.w1, p.w2)});
+    if (surface.detail->normal) {
+        const Varying<3>& t = detail.tangent;
+        Vector<L> tangent = {t.at<L>(0, p.w1, p.w2), t.at<L>(1, p.w1, p.w2),
+                             t.at<L>(2, p.w1, p.w2)};
+        tangent = normalized(tangent - dot(normal, tangent) * normal);
+        const Vector<L> bitangent = real(detail.bitangent_side) * cross(normal, tangent);
+        const Texel<L> texel = look_up<L>(*surface.detail->normal, detail, p);
+        const real one(1.0f), two(2.0f), scale(surface.detail->normal_scale);
+        const Vector<L> bent = normalized((scale * (two * texel.r - one)) * tangent +
+                                          (scale * (two * texel.g - one)) * bitangent +
+                                          (two * texel.b - one) * normal);
+        const auto usable = dot(tangent, tangent) > real(0.0f);
+        normal = select<L>(usable, bent, normal);
+    }
+    return real(triangle.side) * normal;
+}
+
+template <class L>
+HWY_INLINE Vector<L> emission(const MaterialDetail& material, const TriangleDetail& detail,
+                              const ShadePoint<L>& p)
+{
+    const Vector<L> factor = Vector<L>::of(material.emission);
+    if (!material.emission_map) return factor;
+    const Texel<L> texel = look_up<L>(*material.emission_map, detail, p);
+    return factor * Vector<L>{texel.r, texel.g, texel.b};
+}
+
+// Of metallic-roughness: what the base colour is split into.
+template <class L>
+struct Split {
+    typename L::real metallic, roughness, transmission;
+};
+
+template <class L>
+HWY_INLINE Split<L> split(const MaterialDetail& material, const TriangleDetail& detail,
+                          const ShadePoint<L>& p)
+{
+    using real = typename L::real;
+    Split<L> s{real(material.metallic), real(material.roughness), real(material.transmission)};
+    if (material.metallic_roughness) {
+        const Texel<L> texel = look_up<L>(*material.metallic_roughness, detail, p);
+        s.metallic = s.metallic * texel.b;
+        s.roughness = s.roughness * texel.g;
+    }
+    if (material.transmission_map) {
+        s.transmission = s.transmission * look_up<L>(*material.transmission_map, detail, p).r;
+    }
+    s.roughness = L::min(L::max(s.roughness, real(0.1f)), real(1.0f));
+    return s;
+}
+
+// The fragment's colour and opacity once part of the light goes through in colours.
+template <class L>
+HWY_INLINE void transmit(const BaseColor<L>& base, const Split<L>& s, const Vector<L>& radiance,
+                         DetailedFragment<L>& f)
+{
+    using real = typename L::real;
+    const real one(1.0f), zero(0.0f);
+    const real through = base.opacity * s.transmission * (one - s.metallic) * real(1 - 0.04f);
+    const real rest = one - base.opacity;
+    f.transmittance = Vector<L>{rest, rest, rest} + through * base.color;
+    const real mean = (f.transmittance.x + f.transmittance.y + f.transmittance.z) * real(1.0f / 3);
+    const real opacity = L::min(L::max(one - mean, zero), one);
+    // Below a millionth there is nothing to see, and the colour's scale would not be finite.
+    const real shown = L::zero_unless(opacity >= real(1e-6f), opacity);
+    const real scale = L::zero_unless(shown > zero, base.opacity / shown);
+    f.shaded = {scale * radiance.x, scale * radiance.y, scale * radiance.z, shown};
+}
+
+template <class L>
+HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
+                                              const TriangleSurface& triangle,
+                                              const TriangleDetail& detail, const Lighting& light,
+                                              const ShadePoint<L>& p)
+{
+    using real = typename L::real;
+    const MaterialDetail& material = *surface.detail;
+    const BaseColor<L> base = base_color<L>(surface, triangle, detail, p);
+    DetailedFragment<L> f;
+    if (material.shading == Shading::unlit) {
+        const Vector<L> color = real(light.gain) * base.color;
+        f.shaded = {color.x, color.y, color.z, base.opacity};
+        return f;
+    }
+    LitPoint<L> point{p.place,
+                      p.to_eye,
+                      surface_normal<L>(surface, triangle, detail, p),
+                      base.color,
+                      Vector<L>::all(0.04f),
+                      real(1.0f)};
+    const Vector<L> emitted = emission<L>(material, detail, p);
+    if (material.shading == Shading::diffuse) {
+        const Vector<L> color = diffuse_radiance<L>(light, point) + emitted;
+        f.shaded = {color.x, color.y, color.z, base.opacity};
+        return f;
+    }
+    const Split<L> s = split<L>(material, detail, p);
+    const real one(1.0f);
+    point.at_front = point.at_front + s.metallic * (base.color - point.at_front);
+    point.color = ((one - s.metallic) * (one - s.transmission)) * base.color;
+    point.roughness = s.roughness;
+    const Vector<L> color = metallic_roughness_radiance<L>(light, point) + emitted;
+    f.shaded = {color.x, color.y, color.z, base.opacity};
+    if (material.transmission > 0) transmit<L>(base, s, color, f);
+    return f;
+}
+
+}  // namespace sheer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHEER_DETAIL_INL_H

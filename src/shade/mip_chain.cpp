@@ -1,0 +1,144 @@
+// Levels are averaged in floats, each from the one before, and rounded to 16 bits for keeping.
+#include "shade/mip_chain.h"
+
+#include <algorithm>
+
+#include "image/color.h"
+
+namespace sheer {
+
+namespace {
+
+using Texel = Float4;
+
+std::array<float, 256> decoding_table(TexelUse use)
+{
+    std::array<float, 256> table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const double encoded = static_cast<double>(i) / 255;
+        table[i] = static_cast<float>(use == TexelUse::data ? encoded : linear_from_srgb(encoded));
+    }
+    return table;
+}
+
+// Where texel i of `count` begins and ends in a row of `source` texels, and what its first and last
+// texel count for; those between count for 1.
+struct Span {
+    std::size_t first, last;
+    float first_part, last_part;
+};
+
+std::vector<Span> spans(std::size_t source, std::size_t count)
+{
+    std::vector<Span> result(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t begin = i * source, end = begin + source;  // in 1/count texels
+        Span& span = result[i];
+        span.first = begin / count;
+        span.last = (end - 1) / count;
+        span.first_part = static_cast<float>(std::min((span.first + 1) * count, end) - begin) /
+                          static_cast<float>(count);
+        span.last_part = static_cast<float>(end - span.last * count) / static_cast<float>(count);
+    }
+    return result;
+}
+
+float part_of(const Span& span, std::size_t i)
+{
+    if (i == span.first) return span.first_part;
+    return i == span.last ? span.last_part : 1.0f;
+}
+
+struct Level {
+    std::size_t width, height;
+    std::vector<Texel> texels;
+};
+
+// `at(x, y)`: the source's texels. Differences from the first one are averaged: what is the same
+// everywhere stays so to the last bit.
+template <class At>
+Level halved(std::size_t width, std::size_t height, At&& at)
+{
+    Level level{std::max<std::size_t>(1, width / 2), std::max<std::size_t>(1, height / 2), {}};
+    const std::vector<Span> columns = spans(width, level.width), rows = spans(height, level.height);
+    const float area = static_cast<float>(width) / static_cast<float>(level.width) *
+                       (static_cast<float>(height) / static_cast<float>(level.height));
+    level.texels.reserve(level.width * level.height);
+    for (const Span& row : rows) {
+        for (const Span& column : columns) {
+            const Texel base = at(column.first, row.first);
+            Texel sum = {0, 0, 0, 0};
+            for (std::size_t y = row.first; y <= row.last; ++y) {
+                for (std::size_t x = column.first; x <= column.last; ++x) {
+                    const Texel texel = at(x, y);
+                    const float part = part_of(row, y) * part_of(column, x);
+                    for (std::size_t c = 0; c < 4; ++c) sum[c] += part * (texel[c] - base[c]);
+                }
+            }
+            for (std::size_t c = 0; c < 4; ++c) sum[c] = base[c] + sum[c] / area;
+            level.texels.push_back(sum);
+        }
+    }
+    return level;
+}
+
+std::uint32_t to_16_bits(float value)
+{
+    return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f);
+}
+
+void keep(MipChain& chain, const Texel& texel)
+{
+    chain.words.push_back(to_16_bits(texel[0]) | to_16_bits(texel[1]) << 16);
+    chain.words.push_back(to_16_bits(texel[2]) | to_16_bits(texel[3]) << 16);
+}
+
+void begin_level(MipChain& chain, std::size_t width, std::size_t height)
+{
+    chain.width[chain.level_count] = static_cast<std::uint32_t>(width);
+    chain.height[chain.level_count] = static_cast<std::uint32_t>(height);
+    chain.first[chain.level_count] = static_cast<std::uint32_t>(chain.words.size() / 2);
+    ++chain.level_count;
+}
+
+}  // namespace
+
+MipChain make_mip_chain(const TextureImage& image, TexelUse use)
+{
+    const std::array<float, 256> decoded = decoding_table(use);
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    const auto at = [&](std::size_t x, std::size_t y) {
+        const auto& texel = image.texels[y * width + x];
+        const float alpha =
+            use == TexelUse::color_with_alpha ? static_cast<float>(texel[3]) / 255.0f : 1.0f;
+        return Texel{decoded[texel[0]] * alpha, decoded[texel[1]] * alpha,
+                     decoded[texel[2]] * alpha, alpha};
+    };
+    MipChain chain;
+    chain.words.reserve(2 * (width * height + width * height / 2 + 64));
+    begin_level(chain, width, height);
+    for (std::size_t y = 0; y < height; ++y) {
+        for (std::size_t x = 0; x < width; ++x) keep(chain, at(x, y));
+    }
+    if (width == 1 && height == 1) return chain;
+    Level level = halved(width, height, at);
+    for (;;) {
+        begin_level(chain, level.width, level.height);
+        for (const Texel& texel : level.texels) keep(chain, texel);
+        if (level.width == 1 && level.height == 1) return chain;
+        level = halved(level.width, level.height, [&](std::size_t x, std::size_t y) {
+            return level.texels[y * level.width + x];
+        });
+    }
+}
+
+std::uint64_t mip_chain_bytes(const TextureImage& image)
+{
+    const std::uint64_t texels =
+        static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+    // The chain, and two levels in floats: half of the image at most where it is one texel high.
+    return texels * 12 + 1024 + texels * 3 / 4 * sizeof(Texel);
+}
+
+}  // namespace sheer
