@@ -130,21 +130,37 @@ struct Lanes {
         {
             return hn::BitCast(I(), hn::PopulationCount(hn::BitCast(U(), v)));
         }
-        // Writes the lanes of `m` one after the other; up to kCount values past them are touched.
-        HWY_INLINE void store_packed(mask m, std::uint32_t* p) const
+    };
+
+    // Stores the lanes of a mask one after the other; up to kCount values past them are touched.
+    class Packing {
+    public:
+        HWY_INLINE explicit Packing(mask m) : chosen_(m)
         {
-            if constexpr (kCount == 16) {
-                hn::CompressStore(hn::BitCast(U(), v), hn::RebindMask(U(), m.m), U(), p);
-            } else if constexpr (kCount == 1) {
-                store(p);
-            } else {
+            if constexpr (kFromTable) {
                 // Not Highway's: GCC 12 copies its table to the stack at every call.
                 const hn::Rebind<std::uint8_t, U> bytes;
                 const auto order = hn::LoadU(bytes, kPackOrder[m.bits()].data());
-                const auto indices = hn::IndicesFromVec(U(), hn::PromoteTo(U(), order));
-                hn::StoreU(hn::TableLookupLanes(hn::BitCast(U(), v), indices), U(), p);
+                order_ = hn::PromoteTo(U(), order);
             }
         }
+        HWY_INLINE void store(whole a, std::uint32_t* p) const
+        {
+            const auto v = hn::BitCast(U(), a.v);
+            if constexpr (kFromTable) {
+                hn::StoreU(hn::TableLookupLanes(v, hn::IndicesFromVec(U(), order_)), U(), p);
+            } else if constexpr (kCount == 1) {
+                a.store(p);
+            } else {
+                hn::CompressStore(v, hn::RebindMask(U(), chosen_.m), U(), p);
+            }
+        }
+        HWY_INLINE std::size_t count() const { return hn::CountTrue(F(), chosen_.m); }
+
+    private:
+        static constexpr bool kFromTable = kCount > 1 && kCount < 16;
+        mask chosen_;
+        hn::Vec<U> order_;
     };
 
     static HWY_INLINE whole iota() { return hn::Iota(I(), 0); }

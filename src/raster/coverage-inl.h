@@ -246,14 +246,15 @@ inline void cover_by_pixels(const RegionEdges& edges, const SampleSet& set, cons
             const Block::mask here =
                 (lane_x < whole(width - x)) & (lane_y < whole(height - y)) & !(inside == zero);
             const whole first((local.y0 + y) * kTileSize + local.x0 + x);
-            (first + lane_pixel).store_packed(here, list.pixel + list.count);
+            const Block::Packing packing(here);
+            packing.store(first + lane_pixel, list.pixel + list.count);
             if (set.centered) {
-                low_if_all.store_packed(here, list.low + list.count);
-                if (set.count > 32) high_if_all.store_packed(here, list.high + list.count);
+                packing.store(low_if_all, list.low + list.count);
+                if (set.count > 32) packing.store(high_if_all, list.high + list.count);
             } else {
-                inside.store_packed(here, list.low + list.count);
+                packing.store(inside, list.low + list.count);
             }
-            list.count += here.count();
+            list.count += static_cast<int>(packing.count());
         }
     }
 }
