@@ -26,6 +26,10 @@ uint select(bool m, uint a, uint b)
 {
     return m ? a : b;
 }
+uint zero_unless(bool m, uint a)
+{
+    return m ? a : 0u;
+}
 
 float to_real(uint a)
 {

@@ -18,7 +18,7 @@ SHEER_FN whole rounded_at_random(real x, real xi)
 {
     whole least = to_whole(x);
     mask one_more = xi < x - to_real(least);
-    return least + select(one_more, whole(1u), whole(0u));
+    return least + zero_unless(one_more, whole(1u));
 }
 
 // Sample i, which may be as many as 1.5 times `samples`: what is beyond them means nothing.
@@ -37,10 +37,10 @@ SHEER_FN SampleBits sample_bit(whole i, int samples)
     return bits;
 }
 
-// Adds a random one of samples 0 to t, or t itself where that is there already, if `wanted`. What
-// the choice leaves of `random`, 24 bits, serves another: t + 1 choices take log2(t + 1) bits.
-SHEER_FN SampleBits with_one_more(SampleBits bits, SHEER_INOUT(whole) random, whole t, mask wanted,
-                                  int samples)
+// Adds a random one of samples 0 to t, or t itself where that is there already; nothing where there
+// is no sample t. What the choice leaves of `random`, 24 bits, serves another: t + 1 choices take
+// log2(t + 1) bits.
+SHEER_FN SampleBits with_one_more(SampleBits bits, SHEER_INOUT(whole) random, whole t, int samples)
 {
     whole product = random * (t + whole(1u));  // below 2^31
     random = product & whole(0xffffffu);
@@ -49,8 +49,9 @@ SHEER_FN SampleBits with_one_more(SampleBits bits, SHEER_INOUT(whole) random, wh
     mask is_new = ((bits.low & at_r.low) | (bits.high & at_r.high)) == whole(0u);
     whole low = select(is_new, at_r.low, at_t.low);
     whole high = select(is_new, at_r.high, at_t.high);
-    bits.low = bits.low | select(wanted, low, whole(0u));
-    bits.high = bits.high | select(wanted, high, whole(0u));
+    mask wanted = t < whole(samples);
+    bits.low = bits.low | zero_unless(wanted, low);
+    bits.high = bits.high | zero_unless(wanted, high);
     return bits;
 }
 
@@ -65,9 +66,9 @@ SHEER_FN SampleBits naive_mask(whole seed, real opacity, int samples)
     whole bit = whole(1u);
     for (int i = 0; i < samples; i += 2) {
         whole random = next_hash(seed);
-        whole pair = select((random & whole(0xffffu)) < threshold, bit, whole(0u));
+        whole pair = zero_unless((random & whole(0xffffu)) < threshold, bit);
         bit = bit + bit;
-        pair = pair | select((random >> 16) < threshold, bit, whole(0u));
+        pair = pair | zero_unless((random >> 16) < threshold, bit);
         bit = bit + bit;
         if (i < 32) {
             bits.low = bits.low | pair;
@@ -88,19 +89,20 @@ SHEER_FN SampleBits stratified_mask(whole seed, real opacity, int samples)
 {
     whole all = whole(samples);
     whole taken = rounded_at_random(opacity * to_real(all), next_random_real(seed));
-    mask inverted = all < taken + taken;
-    whole chosen = select(inverted, all - taken, taken);
+    whole left_out = all - taken;
+    mask inverted = left_out < taken;
+    whole chosen = select(inverted, left_out, taken);
     SampleBits bits;
     bits.low = whole(0u);
     bits.high = whole(0u);
     whole t = all - chosen;
     for (int i = 0; i < samples / 2; i += 2) {
         whole random = next_random(seed);
-        bits = with_one_more(bits, random, t, whole(i) < chosen, samples);
-        bits = with_one_more(bits, random, t + whole(1u), whole(i + 1) < chosen, samples);
+        bits = with_one_more(bits, random, t, samples);
+        bits = with_one_more(bits, random, t + whole(1u), samples);
         t = t + whole(2u);
     }
-    whole flip = select(inverted, whole(0xffffffffu), whole(0u));
+    whole flip = zero_unless(inverted, whole(0xffffffffu));
     bits.low = bits.low ^ flip;
     bits.high = bits.high ^ flip;
     return bits;
@@ -125,10 +127,11 @@ SHEER_FN StochasticStore stochastic_clear(real beyond_any)
 SHEER_FN StochasticStore stochastic_insert(StochasticStore s, mask taken, StochasticStore f)
 {
     mask nearer = f.depth < s.depth || (f.depth == s.depth && f.id < s.id);
-    mask wins = taken && nearer;
-    s.depth = select(wins, f.depth, s.depth);
-    s.id = select(wins, f.id, s.id);
-    s.color = select(wins, f.color, s.color);
+    // Not "wins": where s lies in memory, what is kept can then be an instruction's own operand.
+    mask stays = !(taken && nearer);
+    s.depth = select(stays, s.depth, f.depth);
+    s.id = select(stays, s.id, f.id);
+    s.color = select(stays, s.color, f.color);
     return s;
 }
 

@@ -29,6 +29,8 @@ struct Lanes {
     using I = hn::RebindToSigned<F>;
     using U = hn::RebindToUnsigned<F>;
     static constexpr int kCount = static_cast<int>(hn::MaxLanes(F()));
+    static constexpr bool kOwnMinMax =
+        HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128;
 
     struct mask {
         hn::Mask<F> m;
@@ -173,9 +175,22 @@ struct Lanes {
         return hn::IfThenElse(hn::RebindMask(I(), m.m), a.v, b.v);
     }
     static HWY_INLINE real zero_unless(mask m, real a) { return hn::IfThenElseZero(m.m, a.v); }
-    // By comparison: the targets' own instructions differ in the sign of zero.
-    static HWY_INLINE real max(real a, real b) { return select(a > b, a, b); }
-    static HWY_INLINE real min(real a, real b) { return select(a < b, a, b); }
+    static HWY_INLINE whole zero_unless(mask m, whole a)
+    {
+        return hn::IfThenElseZero(hn::RebindMask(I(), m.m), a.v);
+    }
+    // a > b ? a : b and a < b ? a : b. x86's own instructions are that to the bit; the others'
+    // differ in the sign of zero and in what is no number.
+    static HWY_INLINE real max(real a, real b)
+    {
+        if constexpr (kOwnMinMax) return hn::Max(a.v, b.v);
+        return select(a > b, a, b);
+    }
+    static HWY_INLINE real min(real a, real b)
+    {
+        if constexpr (kOwnMinMax) return hn::Min(a.v, b.v);
+        return select(a < b, a, b);
+    }
     // Below 2^31 in magnitude.
     static HWY_INLINE real floor(real a)
     {

@@ -16,6 +16,7 @@ struct Lone {
 
     static real select(bool m, real a, real b) { return m ? a : b; }
     static whole select(bool m, whole a, whole b) { return m ? a : b; }
+    static whole zero_unless(bool m, whole a) { return m ? a : 0; }
     static real min(real a, real b) { return a < b ? a : b; }
     static real max(real a, real b) { return a > b ? a : b; }
     static real to_real(whole a) { return static_cast<real>(a); }

@@ -45,6 +45,10 @@ SHEER_FN whole select(mask m, whole a, whole b)
 {
     return L::select(m, a, b);
 }
+SHEER_FN whole zero_unless(mask m, whole a)
+{
+    return L::zero_unless(m, a);
+}
 SHEER_FN real min(real a, real b)
 {
     return L::min(a, b);
