@@ -4,70 +4,21 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <initializer_list>
 #include <limits>
 #include <string>
 
 #include <gtest/gtest.h>
-#include <zlib.h>
 
 #include <sheer/error.h>
 
 #include "image/color.h"
+#include "image/png_file.h"
 
 namespace sheer {
 namespace {
 
-using Bytes = std::vector<std::byte>;
+using namespace png_file;
 using Rgba = std::array<float, 4>;
-
-constexpr int kGrey = 0, kRgb = 2, kPalette = 3, kRgba = 6;  // PNG's colour types
-
-std::string big_endian(std::size_t value)
-{
-    std::string text;
-    for (int shift = 24; shift >= 0; shift -= 8) text += static_cast<char>(value >> shift & 255);
-    return text;
-}
-
-std::string chunk(const std::string& type, const std::string& data)
-{
-    const std::string body = type + data;
-    const uLong crc =
-        crc32(0, reinterpret_cast<const Bytef*>(body.data()), static_cast<uInt>(body.size()));
-    return big_endian(data.size()) + body + big_endian(crc);
-}
-
-struct File {
-    int width, height, depth, color_type;
-    std::string rows;         // each with its filter byte, 0, before it
-    std::string chunks = "";  // between IHDR and IDAT
-};
-
-std::string text_of(std::initializer_list<int> bytes)
-{
-    std::string text;
-    for (const int b : bytes) text += static_cast<char>(b);
-    return text;
-}
-
-// Made here byte by byte, so that reading is not tested against our own writing only.
-Bytes make_png(const File& file)
-{
-    const std::string header = big_endian(static_cast<std::size_t>(file.width)) +
-                               big_endian(static_cast<std::size_t>(file.height)) +
-                               text_of({file.depth, file.color_type, 0, 0, 0});
-    uLongf size = compressBound(static_cast<uLong>(file.rows.size()));
-    std::string packed(size, '\0');
-    compress(reinterpret_cast<Bytef*>(packed.data()), &size,
-             reinterpret_cast<const Bytef*>(file.rows.data()),
-             static_cast<uLong>(file.rows.size()));
-    packed.resize(size);
-    const std::string all = "\x89PNG\r\n\x1a\n" + chunk("IHDR", header) + file.chunks +
-                            chunk("IDAT", packed) + chunk("IEND", "");
-    const auto bytes = std::as_bytes(std::span(all));
-    return {bytes.begin(), bytes.end()};
-}
 
 float linear(double encoded)
 {
