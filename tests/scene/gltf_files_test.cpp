@@ -37,7 +37,8 @@ std::uint64_t triangles_of(const Scene& scene)
 {
     std::uint64_t triangles = 0;
     for (const Object& object : scene.objects) {
-        triangles += scene.meshes[object.mesh].indices.size() / 3;
+        const Mesh& mesh = scene.meshes[object.mesh];
+        if (mesh.topology == Topology::triangles) triangles += mesh.indices.size() / 3;
     }
     return triangles;
 }
@@ -61,7 +62,10 @@ void expect_sound(const Scene& scene)
 {
     for (const Mesh& mesh : scene.meshes) {
         ASSERT_LT(mesh.material, scene.materials.size());
-        ASSERT_EQ(mesh.indices.size() % 3, 0u);
+        const std::size_t one = mesh.topology == Topology::triangles ? 3
+                                : mesh.topology == Topology::lines   ? 2
+                                                                     : 1;
+        ASSERT_EQ(mesh.indices.size() % one, 0u);
         ASSERT_TRUE(mesh.normals.empty() || mesh.normals.size() == mesh.positions.size());
         ASSERT_TRUE(mesh.colors.empty() || mesh.colors.size() == mesh.positions.size());
         for (const std::uint32_t index : mesh.indices) ASSERT_LT(index, mesh.positions.size());

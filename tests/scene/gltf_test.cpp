@@ -63,17 +63,62 @@ TEST(Gltf, LeavesOutVerticesThatMakeNoTriangle)
     EXPECT_TRUE(notes(scene, "primitives with vertices left over: 1, which make no triangle"));
 }
 
-TEST(Gltf, NotesPointsAndLines)
+TEST(Gltf, JoinsPointsAndLinesAsTheSpecificationSays)
+{
+    const auto of_mode = [](int mode) {
+        Builder builder;
+        builder.primitive({{"POSITION", builder.accessor("VEC3", curve(4))}})["mode"] = mode;
+        return read(builder).meshes.at(0);
+    };
+    EXPECT_EQ(of_mode(0).topology, Topology::points);
+    EXPECT_EQ(of_mode(0).indices, (Indices{0, 1, 2, 3}));
+    for (const int mode : {1, 2, 3}) EXPECT_EQ(of_mode(mode).topology, Topology::lines) << mode;
+    EXPECT_EQ(of_mode(1).indices, (Indices{0, 1, 2, 3}));
+    EXPECT_EQ(of_mode(2).indices, (Indices{0, 1, 1, 2, 2, 3, 3, 0}));
+    EXPECT_EQ(of_mode(3).indices, (Indices{0, 1, 1, 2, 2, 3}));
+    for (const int mode : {4, 5, 6}) EXPECT_EQ(of_mode(mode).topology, Topology::triangles);
+}
+
+TEST(Gltf, LeavesOutVerticesThatMakeNoLine)
+{
+    const auto indices_of = [](int mode, int vertices) {
+        Builder builder = one_triangle();
+        builder.primitive({{"POSITION", builder.accessor("VEC3", curve(vertices))}})["mode"] = mode;
+        const Scene scene = read(builder);
+        EXPECT_TRUE(notes(scene, "primitives with vertices left over: 1, which make no line"));
+        return scene.meshes.size() > 1 ? scene.meshes[1].indices : Indices();
+    };
+    EXPECT_EQ(indices_of(1, 3), (Indices{0, 1}));
+    for (const int mode : {1, 2, 3}) EXPECT_EQ(indices_of(mode, 1), Indices());
+}
+
+TEST(Gltf, LinesAndPointsWithoutNormalsAreUnlit)
 {
     Builder builder = one_triangle();
-    for (const int mode : {0, 1, 2, 3}) {
-        builder.primitive({{"POSITION", 0}})["mode"] = mode;
+    builder.json["materials"] = Json::parse(R"([{"name": "ink", "alphaMode": "BLEND"}])");
+    Json lines = builder.json["meshes"][0]["primitives"][0];
+    lines["material"] = 0;
+    builder.json["meshes"][0]["primitives"] = Json::array({lines, lines, lines, lines});
+    for (std::size_t i = 1; i < 4; ++i) {
+        builder.json["meshes"][0]["primitives"][i]["mode"] = i - 1;  // triangles, points, 2 lines
     }
+    builder.json["meshes"][0]["primitives"][3]["attributes"]["NORMAL"] = 0;
+    builder.json["accessors"][0]["sparse"] = {
+        // the first position is no direction
+        {"count", 1},
+        {"indices",
+         {{"bufferView", builder.view(std::vector<std::uint8_t>{0})}, {"componentType", 5121}}},
+        {"values", {{"bufferView", builder.view(std::vector<float>{1, 0, 0})}}}};
     const Scene scene = read(builder);
-    EXPECT_EQ(scene.meshes.size(), 1u);
-    EXPECT_EQ(scene.objects.size(), 1u);
-    EXPECT_TRUE(notes(scene, "primitives of points: 1, not drawn"));
-    EXPECT_TRUE(notes(scene, "primitives of lines: 3, not drawn"));
+    ASSERT_EQ(scene.materials.size(), 2u);  // one copy for both
+    EXPECT_EQ(scene.meshes.at(0).material, 0u);
+    EXPECT_EQ(scene.meshes.at(1).material, 1u);
+    EXPECT_EQ(scene.meshes.at(2).material, 1u);
+    EXPECT_EQ(scene.meshes.at(3).material, 0u);
+    EXPECT_NE(scene.materials[0].shading, Shading::unlit);
+    EXPECT_EQ(scene.materials[1].shading, Shading::unlit);
+    EXPECT_EQ(scene.materials[1].name, "ink");
+    EXPECT_EQ(scene.materials[1].alpha_mode, AlphaMode::blend);
 }
 
 template <class T>

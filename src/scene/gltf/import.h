@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 
 #include <sheer/scene.h>
@@ -21,6 +22,8 @@ struct Import {
     std::uint64_t elements = 0;
     std::uint64_t elements_without_data = 0;
     std::optional<std::uint32_t> default_material = {};  // in Scene::materials, once it is needed
+    // Of lit materials that lines and points without normals use, by the material's number.
+    std::map<std::uint32_t, std::uint32_t> unlit_copies = {};
     Scene scene = {};
 };
 

@@ -48,6 +48,11 @@ void read_base_color(Import& import, const Value& pbr, Material& material)
     note_textures(import, pbr);
 }
 
+void make_unlit(Material& material)
+{
+    material.shading = Shading::unlit;
+}
+
 Material read_material(Import& import, const Value& value)
 {
     Material material;
@@ -92,6 +97,22 @@ std::uint32_t material_of(Import& import, const Value& primitive)
         import.scene.materials.push_back(Material{});
     }
     return *import.default_material;
+}
+
+std::uint32_t material_of_line(Import& import, const Mesh& mesh)
+{
+    auto& materials = import.scene.materials;
+    Material copy = materials[mesh.material];
+    const bool is_lit = copy.shading != Shading::unlit;
+    const bool loses_light = is_lit && mesh.normals.empty();
+    if (!loses_light) return mesh.material;
+    const auto next = static_cast<std::uint32_t>(materials.size());
+    const auto [place, is_new] = import.unlit_copies.try_emplace(mesh.material, next);
+    if (is_new) {
+        make_unlit(copy);
+        materials.push_back(std::move(copy));
+    }
+    return place->second;
 }
 
 void note_extensions(Import& import, const Value& owner, const std::string& things)

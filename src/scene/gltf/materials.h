@@ -14,6 +14,10 @@ void read_materials(Import& import);
 // The number in Scene::materials of the primitive's material, or of glTF's default one.
 std::uint32_t material_of(Import& import, const Value& primitive);
 
+// That of a mesh of lines or points, which is lit only where it has normals and bumpy only where it
+// has tangents: its own material, or a copy that is unlit or without normal texture.
+std::uint32_t material_of_line(Import& import, const Mesh& mesh);
+
 // Notes the extensions of `owner`, one of the file's `things`, that are not supported.
 void note_extensions(Import& import, const Value& owner, const std::string& things);
 

@@ -16,7 +16,7 @@ namespace sheer::gltf {
 namespace {
 
 constexpr std::size_t kMaxObjects = std::size_t{1} << 22;
-constexpr std::uint64_t kMaxTriangles = std::uint64_t{1} << 31;  // with instances
+constexpr std::uint64_t kMaxCorners = 3 * (std::uint64_t{1} << 31);  // with instances
 
 Matrix read_matrix(const Value& value, const Matrix& numbers)
 {
@@ -99,15 +99,15 @@ public:
     void count(const Value& node, const Mesh& mesh)
     {
         if (++objects_ > kMaxObjects) node.fail("more objects than Sheer reads (2^22)");
-        triangles_ += mesh.indices.size() / 3;
-        if (triangles_ > kMaxTriangles) {
+        corners_ += mesh.indices.size();
+        if (corners_ > kMaxCorners) {
             node.fail("more triangles than Sheer draws (2^31, each node's counted)");
         }
     }
 
 private:
     std::size_t objects_ = 0;
-    std::uint64_t triangles_ = 0;
+    std::uint64_t corners_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,134 @@
+// Vertex attributes (glTF 2.0, section 3.7.2.1). Integers are taken for every attribute that
+// KHR_mesh_quantization allows them for, whether the file names it or not.
+
+#include "scene/gltf/attributes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sheer::gltf {
+
+namespace {
+
+void read_positions(VertexSource& source, Mesh& mesh)
+{
+    const Accessor accessor = open_accessor(source.import, source.attributes.member("POSITION"));
+    if (accessor.width != 3) accessor.value.fail("POSITION must be VEC3");
+    mesh.positions = read_vectors<3>(accessor);
+    require_finite(accessor.value, mesh.positions);
+    source.count = mesh.positions.size();
+}
+
+void read_normals(const VertexSource& source, Mesh& mesh)
+{
+    const auto accessor = open_attribute(source, "NORMAL");
+    if (!accessor) return;
+    if (accessor->width != 3) accessor->value.fail("NORMAL must be VEC3");
+    mesh.normals = read_vectors<3>(*accessor);
+}
+
+void read_tangents(const VertexSource& source, Mesh& mesh)
+{
+    const auto accessor = open_attribute(source, "TANGENT");
+    if (!accessor) return;
+    if (accessor->width != 4) accessor->value.fail("TANGENT must be VEC4");
+    mesh.tangents = read_vectors<4>(*accessor);
+}
+
+void read_colors(const VertexSource& source, Mesh& mesh)
+{
+    const auto accessor = open_attribute(source, "COLOR_0");
+    if (!accessor) return;
+    const bool is_integer = accessor->component != ComponentType::float32;
+    if ((accessor->width != 3 && accessor->width != 4) || (is_integer && !accessor->normalized)) {
+        accessor->value.fail("COLOR_0 must be VEC3 or VEC4 of floats or normalized integers");
+    }
+    mesh.colors = read_vectors<4>(*accessor, 1.0f);
+    require_finite(accessor->value, mesh.colors);
+    for (Float4& color : mesh.colors) {
+        for (float& component : color) component = std::clamp(component, 0.0f, 1.0f);
+    }
+}
+
+void read_texcoords(const VertexSource& source, std::size_t set, Mesh& mesh)
+{
+    const std::string name = "TEXCOORD_" + std::to_string(set);
+    const auto accessor = open_attribute(source, name);
+    if (!accessor) return;
+    if (accessor->width != 2) accessor->value.fail(name + " must be VEC2");
+    mesh.texcoords[set] = read_vectors<2>(*accessor);
+    // Exporters make such where a face has no area in the texture.
+    std::size_t broken = 0;
+    for (Float2& uv : mesh.texcoords[set]) {
+        if (std::isfinite(uv[0]) && std::isfinite(uv[1])) continue;
+        uv = {0, 0};
+        ++broken;
+    }
+    source.import.notes.add("texture coordinates that are infinite or not a number", "taken as 0",
+                            broken);
+}
+
+}  // namespace
+
+template <std::size_t N>
+void require_finite(const Value& where, const std::vector<std::array<float, N>>& elements)
+{
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        for (const float component : elements[i]) {
+            if (!std::isfinite(component)) {
+                where.fail("vertex " + std::to_string(i) + " is infinite or not a number");
+            }
+        }
+    }
+}
+
+template void require_finite(const Value&, const std::vector<Float3>&);
+template void require_finite(const Value&, const std::vector<Float4>&);
+
+VertexSource open_vertices(Import& import, const Value& primitive)
+{
+    return {.import = import, .primitive = primitive, .attributes = primitive.member("attributes")};
+}
+
+std::optional<Accessor> open_attribute(const VertexSource& source, const std::string& name)
+{
+    const auto reference = source.attributes.find(name);
+    if (!reference) return std::nullopt;
+    Accessor accessor = open_accessor(source.import, *reference);
+    if (accessor.count != source.count) {
+        reference->fail("has " + std::to_string(accessor.count) + " elements, POSITION has " +
+                        std::to_string(source.count));
+    }
+    return accessor;
+}
+
+void read_vertices(VertexSource& source, Mesh& mesh)
+{
+    read_positions(source, mesh);
+    read_normals(source, mesh);
+    read_tangents(source, mesh);
+    read_colors(source, mesh);
+    for (std::size_t set = 0; set < std::size(mesh.texcoords); ++set) {
+        read_texcoords(source, set, mesh);
+    }
+    if (source.attributes.find("TEXCOORD_2")) {
+        source.import.notes.add("primitives with more than two sets of texture coordinates",
+                                "the first two are read");
+    }
+    if (source.attributes.find("COLOR_1")) {
+        source.import.notes.add("primitives with more than one set of colors", "the first is read");
+    }
+}
+
+std::vector<std::uint32_t> read_vertex_order(const VertexSource& source)
+{
+    if (const auto reference = source.primitive.find("indices")) {
+        return read_indices(open_accessor(source.import, *reference), source.count);
+    }
+    std::vector<std::uint32_t> indices(source.count);
+    std::iota(indices.begin(), indices.end(), 0u);
+    return indices;
+}
+
+}  // namespace sheer::gltf

@@ -1,0 +1,42 @@
+// What a primitive says of its vertices, as it stands in the file.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/gltf/accessor.h"
+#include "scene/gltf/import.h"
+
+namespace sheer::gltf {
+
+// Where a primitive's vertices come from. Lives while they are read.
+struct VertexSource {
+    Import& import;
+    Value primitive;
+    Value attributes;
+    std::size_t count = 0;  // of vertices, once positions are read
+};
+
+// The primitive must have POSITION.
+VertexSource open_vertices(Import& import, const Value& primitive);
+
+// Nothing when there is no such attribute; else one of as many elements as there are positions.
+std::optional<Accessor> open_attribute(const VertexSource& source, const std::string& name);
+
+// Positions, normals, colours, texture coordinates and tangents. Normals and tangents may have any
+// length still, or none.
+void read_vertices(VertexSource& source, Mesh& mesh);
+
+// The primitive's indices, or 0, 1, 2, ... where it has none.
+std::vector<std::uint32_t> read_vertex_order(const VertexSource& source);
+
+// Fails with the number of the first vertex of which a component is infinite or not a number.
+template <std::size_t N>
+void require_finite(const Value& where, const std::vector<std::array<float, N>>& elements);
+
+extern template void require_finite(const Value&, const std::vector<Float3>&);
+extern template void require_finite(const Value&, const std::vector<Float4>&);
+
+}  // namespace sheer::gltf
