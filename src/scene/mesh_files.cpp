@@ -1,0 +1,58 @@
+// Names, colours and materials of bare meshes.
+#include "scene/mesh_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <utility>
+
+#include <sheer/error.h>
+
+#include "image/color.h"
+
+namespace sheer {
+
+void fail_in_file(const std::string& path, const std::string& what)
+{
+    throw Error(Fault::input, path + ": " + what);
+}
+
+std::string name_of_file(const std::string& path)
+{
+    return std::filesystem::path(path).stem().string();
+}
+
+Material plain_material(const std::string& name, bool colored_vertices)
+{
+    constexpr float kLightGrey = 0.7f;  // bright enough for shape to show, and no highlight clips
+    Material material;
+    material.name = name;
+    if (!colored_vertices) material.base_color = {kLightGrey, kLightGrey, kLightGrey};
+    material.double_sided = true;
+    return material;
+}
+
+float linear_color(double encoded)
+{
+    return static_cast<float>(linear_from_srgb(encoded > 0 ? std::min(encoded, 1.0) : 0));
+}
+
+void add_fan(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon)
+{
+    for (std::size_t i = 2; i < polygon.size(); ++i) {
+        indices.push_back(polygon[0]);
+        indices.push_back(polygon[i - 1]);
+        indices.push_back(polygon[i]);
+    }
+}
+
+void place_mesh(Scene& scene, Mesh mesh)
+{
+    Object object;
+    object.name = mesh.name;
+    object.mesh = static_cast<std::uint32_t>(scene.meshes.size());
+    object.id = static_cast<std::uint32_t>(scene.objects.size());
+    scene.meshes.push_back(std::move(mesh));
+    scene.objects.push_back(std::move(object));
+}
+
+}  // namespace sheer

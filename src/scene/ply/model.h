@@ -1,0 +1,25 @@
+// What stands in a PLY file's rows, before a scene is made of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <sheer/scene.h>
+
+#include "scene/ply/header.h"
+#include "support/read_file.h"
+
+namespace sheer::ply {
+
+struct Model {
+    std::uint64_t vertices = 0;
+    bool transparent = false;  // a vertex is
+    Mesh faces;                // with the vertices
+    std::vector<std::uint32_t> lines;
+};
+
+// Throws as read_ply does.
+Model read_model(const std::string& path, const Bytes& content, const Header& header);
+
+}  // namespace sheer::ply

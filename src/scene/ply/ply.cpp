@@ -1,0 +1,88 @@
+// The stages in order: the header, the rows, a scene. The first two stand beside this file.
+#include "scene/ply.h"
+
+#include <numeric>
+#include <utility>
+
+#include "scene/gltf/directions.h"
+#include "scene/gltf/notes.h"
+#include "scene/gltf/topology.h"
+#include "scene/mesh_files.h"
+#include "scene/ply/header.h"
+#include "scene/ply/model.h"
+#include "scene/text_scanner.h"
+
+namespace sheer {
+
+namespace ply {
+namespace {
+
+// Splats as their training writes them, and SuperSplat's compressed ones.
+bool holds_splats(const Header& header)
+{
+    const Element* vertex = header.find("vertex");
+    if (vertex == nullptr) return false;
+    for (const Property& property : vertex->properties) {
+        if (property.name == "f_dc_0" || property.name == "packed_position") return true;
+    }
+    return false;
+}
+
+std::vector<std::uint32_t> all_of(const std::vector<Float3>& positions)
+{
+    std::vector<std::uint32_t> indices(positions.size());
+    std::iota(indices.begin(), indices.end(), 0u);
+    return indices;
+}
+
+Mesh edges_of(const Mesh& mesh, std::vector<std::uint32_t> lines)
+{
+    Mesh edges;
+    edges.name = mesh.name + " edges";
+    edges.topology = Topology::lines;
+    edges.positions = mesh.positions;
+    edges.colors = mesh.colors;
+    edges.indices = std::move(lines);
+    gltf::drop_unused_vertices(edges);
+    return edges;
+}
+
+Scene to_scene(const std::string& path, Model model)
+{
+    Scene scene;
+    const std::string name = name_of_file(path);
+    Mesh& mesh = model.faces;
+    mesh.name = name;
+    scene.materials.push_back(plain_material(name, !mesh.colors.empty()));
+    if (model.transparent) scene.materials[0].alpha_mode = AlphaMode::blend;
+    if (mesh.indices.empty()) {
+        // Lines and points face the camera.
+        mesh.normals = {};
+        mesh.texcoords[0] = {};
+        mesh.topology = model.lines.empty() ? Topology::points : Topology::lines;
+        mesh.indices = model.lines.empty() ? all_of(mesh.positions) : std::move(model.lines);
+    } else if (!model.lines.empty()) {
+        place_mesh(scene, edges_of(mesh, std::move(model.lines)));
+    }
+    gltf::Notes notes;
+    gltf::repair_normals(mesh, notes);
+    scene.ignored = notes.lines();
+    place_mesh(scene, std::move(mesh));
+    return scene;
+}
+
+}  // namespace
+}  // namespace ply
+
+Scene read_ply(const std::string& path, const Bytes& content)
+{
+    const ply::Header header = ply::read_header(path, as_text(content));
+    if (ply::holds_splats(header)) {
+        fail_in_file(path, "Gaussian splats are not supported yet");
+    }
+    const ply::Element* vertex = header.find("vertex");
+    if (vertex == nullptr || vertex->count == 0) fail_in_file(path, "the file holds no vertices");
+    return ply::to_scene(path, ply::read_model(path, content, header));
+}
+
+}  // namespace sheer
