@@ -6,7 +6,7 @@
 #include "api/check.h"
 #include "cpu/frame.h"
 #include "scene/builtin.h"
-#include "scene/gltf.h"
+#include "scene/read_scene.h"
 
 namespace sheer {
 
@@ -26,7 +26,7 @@ Scene load_scene(const std::string& source)
 {
     constexpr std::string_view kBuiltin = "builtin:";
     if (source.starts_with(kBuiltin)) return make_builtin(source.substr(kBuiltin.size()));
-    Scene scene = read_gltf(source);
+    Scene scene = read_scene(source);
     try {
         check_scene(scene);
     } catch (const Error& error) {
