@@ -39,6 +39,32 @@ TEST(GltfNodes, ChoosesTheScene)
     EXPECT_EQ(fault_of(builder), "test.gltf: scene: there is no scenes[2], the file has 2");
 }
 
+TEST(GltfNodes, TheCallerMayChooseTheScene)
+{
+    Builder builder = nodes_with_a_mesh(3);
+    builder.json["scenes"] = Json::parse(
+        R"([{"nodes": [0]}, {"nodes": [1], "name": "two"}, {"nodes": [2], "name": "0"}])");
+    builder.json["scene"] = 1;
+    const std::string text = builder.text();
+    const auto chosen = [&](const std::string& choice) {
+        return names(read_gltf("test.gltf", Bytes(text.begin(), text.end()), {.scene = choice}));
+    };
+    EXPECT_EQ(names(read(builder)), "n1");
+    EXPECT_EQ(chosen("two"), "n1");
+    EXPECT_EQ(chosen("1"), "n1");
+    EXPECT_EQ(chosen("2"), "n2");
+    EXPECT_EQ(chosen("0"), "n2");  // a name goes before a number
+    for (const char* wrong : {"3", "three", "", "-1", "1 "}) {
+        try {
+            chosen(wrong);
+            ADD_FAILURE() << wrong;
+        } catch (const Error& e) {
+            EXPECT_EQ(e.what(), "test.gltf: there is no scene \"" + std::string(wrong) +
+                                    "\", the file has 3");
+        }
+    }
+}
+
 TEST(GltfNodes, NumbersObjectsInTheOrderOfTraversal)
 {
     Builder builder = nodes_with_a_mesh(5);

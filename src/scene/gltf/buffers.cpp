@@ -32,7 +32,7 @@ std::span<const std::uint8_t> Buffers::content(const Document& document, std::si
     } else if (is_data_uri(uri->text())) {
         bytes = decoded_[index] = decode_data_uri(*uri);
     } else {
-        const std::string path = path_of_uri(*uri, document.path());
+        const std::string path = path_of_uri(*uri, document.path(), files_anywhere_);
         if (!files_.contains(path)) files_[path] = read_referenced_file(*uri, path);
         bytes = files_[path];
     }

@@ -20,6 +20,9 @@ struct BufferView {
 
 class Buffers {
 public:
+    // Whether buffers may lie outside of the folder of the file that names them.
+    explicit Buffers(bool files_anywhere) : files_anywhere_(files_anywhere) {}
+
     // `reference` is the place that holds the bufferView's number.
     BufferView view(const Document& document, const Value& reference, Notes& notes);
 
@@ -27,6 +30,7 @@ private:
     std::span<const std::uint8_t> content(const Document& document, std::size_t index,
                                           Notes& notes);
 
+    bool files_anywhere_;
     std::map<std::size_t, std::span<const std::uint8_t>> contents_;  // by buffer, cut to its length
     std::map<std::size_t, Bytes> decoded_;                           // by buffer, from data URIs
     std::map<std::string, Bytes> files_;  // by path: several buffers may name one file

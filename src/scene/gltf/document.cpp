@@ -7,8 +7,8 @@
 #include "scene/gltf/document.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <iterator>
 
 #include <sheer/error.h>
 
@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t kMaxDepth = 64;  // glTF needs about 8; extras and extensions may go deeper
 
-constexpr std::array<std::string_view, 2> kSupportedExtensions = {
-    "KHR_materials_unlit",
-    "KHR_mesh_quantization",
+constexpr std::string_view kSupportedExtensions[] = {
+    "KHR_materials_emissive_strength", "KHR_materials_transmission", "KHR_materials_unlit",
+    "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 struct Version {
@@ -126,8 +126,8 @@ Value Document::item(std::string_view list, const Value& reference) const
 
 bool is_supported_extension(std::string_view name)
 {
-    return std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), name) !=
-           kSupportedExtensions.end();
+    return std::find(std::begin(kSupportedExtensions), std::end(kSupportedExtensions), name) !=
+           std::end(kSupportedExtensions);
 }
 
 void check_asset(const Document& document)

@@ -13,6 +13,7 @@
 #include <sheer/error.h>
 
 #include "scene/gltf/cameras.h"
+#include "scene/gltf/images.h"
 #include "scene/gltf/import.h"
 #include "scene/gltf/materials.h"
 #include "scene/gltf/nodes.h"
@@ -21,14 +22,15 @@ namespace sheer {
 
 namespace {
 
-Scene read_document(const std::string& path, Bytes content)
+Scene read_document(const std::string& path, Bytes content, const GltfOptions& options)
 {
-    gltf::Import import{.document = gltf::Document(path, std::move(content))};
+    gltf::Import import{.document = gltf::Document(path, std::move(content)), .options = options};
     check_asset(import.document);
     read_materials(import);
     const std::vector<gltf::PlacedNode> nodes = place_nodes(import);
     place_objects(import, nodes);
     place_cameras(import, nodes);
+    load_images(import);
     import.notes.add("animations", "not played", import.document.count("animations"));
     import.scene.ignored = import.notes.lines();
     return std::move(import.scene);
@@ -36,15 +38,15 @@ Scene read_document(const std::string& path, Bytes content)
 
 }  // namespace
 
-Scene read_gltf(const std::string& path)
+Scene read_gltf(const std::string& path, const GltfOptions& options)
 {
-    return read_gltf(path, read_file(path));
+    return read_gltf(path, read_file(path), options);
 }
 
-Scene read_gltf(const std::string& path, Bytes content)
+Scene read_gltf(const std::string& path, Bytes content, const GltfOptions& options)
 {
     try {
-        return read_document(path, std::move(content));
+        return read_document(path, std::move(content), options);
     } catch (const std::bad_alloc&) {
         throw Error(Fault::work, path + ": there is not enough memory to read it");
     }

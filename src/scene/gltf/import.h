@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include <sheer/scene.h>
 
+#include "scene/gltf.h"
 #include "scene/gltf/buffers.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/notes.h"
@@ -15,15 +17,17 @@ namespace sheer::gltf {
 
 struct Import {
     Document document;
-    Buffers buffers = {};
+    GltfOptions options = {};
+    Buffers buffers{options.files_anywhere};
     Notes notes = {};
     // Elements read so far, in all and of accessors that have no data in the file: a few bytes can
     // ask for any number of them.
     std::uint64_t elements = 0;
     std::uint64_t elements_without_data = 0;
+    std::uint64_t texels = 0;                            // decoded so far
     std::optional<std::uint32_t> default_material = {};  // in Scene::materials, once it is needed
-    // Of lit materials that lines and points without normals use, by the material's number.
-    std::map<std::uint32_t, std::uint32_t> unlit_copies = {};
+    // Copies of materials for lines and points: by the material, and whether the copy is unlit.
+    std::map<std::pair<std::uint32_t, bool>, std::uint32_t> line_materials = {};
     Scene scene = {};
 };
 

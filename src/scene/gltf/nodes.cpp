@@ -5,6 +5,7 @@
 
 #include "scene/gltf/nodes.h"
 
+#include <charconv>
 #include <cmath>
 #include <map>
 
@@ -72,13 +73,34 @@ std::vector<std::size_t> parentless_nodes(const Document& document)
     return roots;
 }
 
+// The scene of that name, else that of that number.
+Value scene_called(const Document& document, const std::string& choice)
+{
+    const std::size_t count = document.count("scenes");
+    for (std::size_t i = 0; i < count; ++i) {
+        const Value scene = document.item("scenes", i);
+        if (!choice.empty() && name_of(scene) == choice) return scene;
+    }
+    std::size_t number = 0;
+    const char* const end = choice.data() + choice.size();
+    const auto [rest, fault] = std::from_chars(choice.data(), end, number);
+    if (fault == std::errc() && rest == end && number < count) {
+        return document.item("scenes", number);
+    }
+    document.root().fail("there is no scene \"" + in_one_line(choice, 80) + "\", the file has " +
+                         std::to_string(count));
+}
+
 std::vector<std::size_t> root_nodes(Import& import)
 {
     const Document& document = import.document;
-    const auto chosen = document.root().find("scene");
+    const auto& choice = import.options.scene;
+    const auto default_scene = document.root().find("scene");
     const std::size_t scenes = document.count("scenes");
-    if (!chosen && scenes == 0) return parentless_nodes(document);
-    const Value scene = chosen ? document.item("scenes", *chosen) : document.item("scenes", 0);
+    if (!choice && !default_scene && scenes == 0) return parentless_nodes(document);
+    const Value scene = choice          ? scene_called(document, *choice)
+                        : default_scene ? document.item("scenes", *default_scene)
+                                        : document.item("scenes", 0);
     if (scenes > 1) import.notes.add("other scenes", "not drawn", scenes - 1);
     std::vector<std::size_t> roots;
     const auto nodes = scene.find("nodes");

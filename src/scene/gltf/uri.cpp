@@ -2,11 +2,11 @@
 // rest).
 //
 // Writers differ in whether they percent-encode file names, so a name that does not exist decoded
-// is tried as it stands. Paths may lead out of the file's folder, as in other viewers: what is read
-// is only ever drawn.
+// is tried as it stands.
 
 #include "scene/gltf/uri.h"
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 
@@ -92,6 +92,17 @@ std::string_view scheme_of(std::string_view uri)
     return is_scheme ? uri.substr(0, end) : std::string_view();
 }
 
+// Links count for where they lead.
+bool lies_below(const std::filesystem::path& folder, const std::filesystem::path& path)
+{
+    std::error_code fault;
+    const auto from = weakly_canonical(absolute(folder.empty() ? "." : folder), fault);
+    if (fault) return false;
+    const auto to = weakly_canonical(absolute(path), fault);
+    if (fault) return false;
+    return std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri)
@@ -110,7 +121,7 @@ Bytes decode_data_uri(const Value& uri)
     return Bytes(decoded.begin(), decoded.end());
 }
 
-std::string path_of_uri(const Value& uri, const std::string& base)
+std::string path_of_uri(const Value& uri, const std::string& base, bool anywhere)
 {
     namespace fs = std::filesystem;
     const std::string& text = uri.text();
@@ -127,7 +138,11 @@ std::string path_of_uri(const Value& uri, const std::string& base)
     std::error_code ignored;
     const bool only_as_written =
         !fs::exists(as_decoded, ignored) && fs::exists(as_written, ignored);
-    return (only_as_written ? as_written : as_decoded).string();
+    const fs::path& path = only_as_written ? as_written : as_decoded;
+    if (!anywhere && !lies_below(folder, path)) {
+        uri.fail("\"" + in_one_line(text, 80) + "\" is outside of the scene's folder");
+    }
+    return path.string();
 }
 
 Bytes read_referenced_file(const Value& uri, const std::string& path)

@@ -1,0 +1,111 @@
+// Images (glTF 2.0, section 3.8.2). What an image is, its first bytes say; the type that the file
+// gives it does not count.
+
+#include "scene/gltf/images.h"
+
+#include <algorithm>
+#include <map>
+
+#include "image/decode_texture.h"
+#include "scene/gltf/uri.h"
+
+namespace sheer::gltf {
+
+namespace {
+
+using TextureMember = std::optional<Texture> Material::*;
+
+constexpr TextureMember kTextures[] = {
+    &Material::base_color_texture, &Material::metallic_roughness_texture, &Material::normal_texture,
+    &Material::emission_texture,   &Material::transmission_texture,
+};
+
+constexpr std::size_t kMaxName = 128;
+
+TextureImage decode(Import& import, const Value& image, std::span<const std::uint8_t> bytes)
+{
+    TextureLimits limits = import.options.each_image;
+    limits.most_texels = std::min(limits.most_texels, import.options.most_texels - import.texels);
+    const std::string what = import.document.path() + ": " + image.where();
+    TextureImage decoded = decode_texture(what, bytes, limits);
+    import.texels += decoded.texels.size();
+    return decoded;
+}
+
+std::optional<TextureImage> load(Import& import, const Value& image)
+{
+    const auto uri = image.find("uri");
+    Bytes own;
+    std::span<const std::uint8_t> bytes;
+    std::string name = name_of(image);
+    if (const auto reference = image.find("bufferView")) {
+        const BufferView view = import.buffers.view(import.document, *reference, import.notes);
+        if (view.bytes.size() < view.length)
+            image.fail("its data is missing, the buffer is cut off");
+        bytes = view.bytes;
+    } else if (!uri) {
+        image.fail("has neither a uri nor a bufferView");
+    } else if (is_data_uri(uri->text())) {
+        own = decode_data_uri(*uri);
+        bytes = own;
+    } else {
+        own = read_referenced_file(
+            *uri, path_of_uri(*uri, import.document.path(), import.options.files_anywhere));
+        bytes = own;
+        if (name.empty()) name = in_one_line(uri->text(), kMaxName);
+    }
+    if (!is_texture_known(bytes)) {
+        import.notes.add("images that are neither PNG nor JPEG", "drawn without");
+        return std::nullopt;
+    }
+    TextureImage decoded = decode(import, image, bytes);
+    decoded.name = std::move(name);
+    return decoded;
+}
+
+// The number in Scene::images of one of the file's.
+class LoadedImages {
+public:
+    explicit LoadedImages(Import& import) : import_(import) {}
+
+    std::optional<std::uint32_t> number_of(std::uint32_t image)
+    {
+        if (const auto known = numbers_.find(image); known != numbers_.end()) return known->second;
+        auto loaded = load(import_, import_.document.item("images", image));
+        auto& images = import_.scene.images;
+        std::optional<std::uint32_t>& number = numbers_[image];
+        if (loaded) {
+            number = static_cast<std::uint32_t>(images.size());
+            images.push_back(std::move(*loaded));
+        }
+        return number;
+    }
+
+private:
+    Import& import_;
+    std::map<std::uint32_t, std::optional<std::uint32_t>> numbers_;
+};
+
+}  // namespace
+
+void load_images(Import& import)
+{
+    auto& materials = import.scene.materials;
+    std::vector<bool> is_used(materials.size(), false);
+    for (const Mesh& mesh : import.scene.meshes) is_used[mesh.material] = true;
+    LoadedImages images(import);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        for (const TextureMember member : kTextures) {
+            std::optional<Texture>& texture = materials[i].*member;
+            if (!texture) continue;
+            const auto number = is_used[i] ? images.number_of(texture->image) : std::nullopt;
+            if (number) {
+                texture->image = *number;
+            } else {
+                texture.reset();
+            }
+        }
+    }
+}
+
+}  // namespace sheer::gltf
