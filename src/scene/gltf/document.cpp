@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t kMaxDepth = 64;  // glTF needs about 8; extras and extensions may go deeper
 
 constexpr std::string_view kSupportedExtensions[] = {
-    "KHR_materials_emissive_strength", "KHR_materials_transmission", "KHR_materials_unlit",
-    "KHR_mesh_quantization",           "KHR_texture_transform",
+    "KHR_lights_punctual", "KHR_materials_emissive_strength", "KHR_materials_transmission",
+    "KHR_materials_unlit", "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 struct Version {

@@ -15,6 +15,7 @@
 #include "scene/gltf/cameras.h"
 #include "scene/gltf/images.h"
 #include "scene/gltf/import.h"
+#include "scene/gltf/lights.h"
 #include "scene/gltf/materials.h"
 #include "scene/gltf/nodes.h"
 
@@ -30,6 +31,7 @@ Scene read_document(const std::string& path, Bytes content, const GltfOptions& o
     const std::vector<gltf::PlacedNode> nodes = place_nodes(import);
     place_objects(import, nodes);
     place_cameras(import, nodes);
+    place_lights(import, nodes);
     load_images(import);
     import.notes.add("animations", "not played", import.document.count("animations"));
     import.scene.ignored = import.notes.lines();

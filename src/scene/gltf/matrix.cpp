@@ -10,35 +10,33 @@ namespace sheer::gltf {
 
 namespace {
 
-using Double3 = std::array<double, 3>;
-
-Double3 column(const Matrix& m, std::size_t c)
+Vec3 column(const Matrix& m, std::size_t c)
 {
     return {m[4 * c], m[4 * c + 1], m[4 * c + 2]};
 }
 
-double dot(const Double3& a, const Double3& b)
+double dot(const Vec3& a, const Vec3& b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-Double3 cross(const Double3& a, const Double3& b)
+Vec3 cross(const Vec3& a, const Vec3& b)
 {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-// Scaled by the largest component first, so that squares neither overflow nor vanish.
-std::optional<Double3> direction(Double3 v)
+}  // namespace
+
+std::optional<Vec3> direction(Vec3 v)
 {
     const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
     if (!(largest > 0) || !std::isfinite(largest)) return std::nullopt;
+    // Scaled by it first, so that squares neither overflow nor vanish.
     for (double& c : v) c /= largest;
     const double length = std::sqrt(dot(v, v));
     for (double& c : v) c /= length;
     return v;
 }
-
-}  // namespace
 
 Matrix multiply(const Matrix& a, const Matrix& b)
 {
@@ -56,8 +54,8 @@ Matrix multiply(const Matrix& a, const Matrix& b)
 Matrix matrix_of(const Placement& placement)
 {
     const auto [x, y, z, w] = placement.rotation;
-    const Double3& t = placement.translation;
-    const Double3& s = placement.scale;
+    const Vec3& t = placement.translation;
+    const Vec3& s = placement.scale;
     return {
         s[0] * (1 - 2 * (y * y + z * z)),
         s[0] * 2 * (x * y + z * w),
@@ -98,7 +96,7 @@ std::optional<Matrix> rigid(const Matrix& m)
     if (!z || !up) return std::nullopt;
     const auto x = direction(cross(*up, *z));
     if (!x) return std::nullopt;
-    const Double3 y = cross(*z, *x);
+    const Vec3 y = cross(*z, *x);
     return Matrix{(*x)[0], (*x)[1], (*x)[2], 0, y[0],  y[1],  y[2],  0,
                   (*z)[0], (*z)[1], (*z)[2], 0, m[12], m[13], m[14], 1};
 }

@@ -12,6 +12,8 @@ using Matrix = std::array<double, 16>;  // column-major; the last row is 0 0 0 1
 
 inline constexpr Matrix kIdentityMatrix = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
 
+using Vec3 = std::array<double, 3>;
+
 struct Placement {
     std::array<double, 3> translation = {0, 0, 0};
     std::array<double, 4> rotation = {0, 0, 0, 1};  // a unit quaternion, x y z w
@@ -20,6 +22,9 @@ struct Placement {
 
 Matrix multiply(const Matrix& a, const Matrix& b);
 Matrix matrix_of(const Placement& placement);
+
+// Of unit length. Nothing when there is no direction in it.
+std::optional<Vec3> direction(Vec3 v);
 
 // Nothing when a number is too large for a float.
 std::optional<Mat4> to_float(const Matrix& m);
