@@ -2,18 +2,17 @@
 
 #include "scene/gltf/directions.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "scene/gltf/matrix.h"
 
 namespace sheer::gltf {
 
 namespace {
 
-using Double3 = std::array<double, 3>;
-
-Double3 cross_of_edges(const Float3& a, const Float3& b, const Float3& c)
+Vec3 cross_of_edges(const Float3& a, const Float3& b, const Float3& c)
 {
-    Double3 u, v;
+    Vec3 u, v;
     for (std::size_t k = 0; k < 3; ++k) {
         u[k] = static_cast<double>(b[k]) - static_cast<double>(a[k]);
         v[k] = static_cast<double>(c[k]) - static_cast<double>(a[k]);
@@ -25,18 +24,9 @@ Double3 cross_of_edges(const Float3& a, const Float3& b, const Float3& c)
 template <class Vector>
 bool normalize(const Vector& from, Float3& to)
 {
-    const Double3 v = {from[0], from[1], from[2]};
-    double largest = 0;
-    for (const double c : v) {
-        if (!std::isfinite(c)) return false;
-        largest = std::max(largest, std::abs(c));
-    }
-    if (largest == 0) return false;
-    // Scaled first, so that squares neither overflow nor vanish.
-    const double x = v[0] / largest, y = v[1] / largest, z = v[2] / largest;
-    const double length = std::sqrt(x * x + y * y + z * z);
-    to = {static_cast<float>(x / length), static_cast<float>(y / length),
-          static_cast<float>(z / length)};
+    const auto unit = direction({from[0], from[1], from[2]});
+    if (!unit) return false;
+    for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>((*unit)[k]);
     return true;
 }
 
@@ -64,10 +54,10 @@ void repair_normals(Mesh& mesh, Notes& notes)
         return;
     }
     notes.add("normals without a direction", "made from their triangles", broken.size());
-    std::vector<Double3> sums(mesh.positions.size());
+    std::vector<Vec3> sums(mesh.positions.size());
     for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
         const std::uint32_t* v = &mesh.indices[t];
-        const Double3 normal =
+        const Vec3 normal =
             cross_of_edges(mesh.positions[v[0]], mesh.positions[v[1]], mesh.positions[v[2]]);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             for (std::size_t k = 0; k < 3; ++k) sums[v[corner]][k] += normal[k];

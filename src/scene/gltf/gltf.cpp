@@ -18,6 +18,7 @@
 #include "scene/gltf/lights.h"
 #include "scene/gltf/materials.h"
 #include "scene/gltf/nodes.h"
+#include "scene/gltf/objects.h"
 
 namespace sheer {
 

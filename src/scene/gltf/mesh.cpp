@@ -5,9 +5,12 @@
 
 #include "scene/gltf/mesh.h"
 
+#include <utility>
+
 #include "scene/gltf/attributes.h"
 #include "scene/gltf/directions.h"
 #include "scene/gltf/materials.h"
+#include "scene/gltf/morph.h"
 #include "scene/gltf/topology.h"
 
 namespace sheer::gltf {
@@ -49,13 +52,26 @@ void join_vertices(const VertexSource& source, Mesh& mesh)
     }
 }
 
-Mesh read_primitive(Import& import, const Value& primitive)
+// Where a node mirrors the world the other side of triangles is the front, even of those that a
+// skin has put into the world already (glTF 2.0, section 3.7.4).
+void turn_triangles(Mesh& mesh)
+{
+    if (mesh.topology != Topology::triangles) return;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        std::swap(mesh.indices[i + 1], mesh.indices[i + 2]);
+    }
+}
+
+Mesh read_primitive(Import& import, const Value& primitive, const Shape& shape)
 {
     refuse_compressed(import, primitive);
     VertexSource source = open_vertices(import, primitive);
     Mesh mesh;
     read_vertices(source, mesh);
+    apply_morph(source, shape.weights, mesh);
+    if (shape.skin != nullptr) apply_skin(source, *shape.skin, mesh);
     join_vertices(source, mesh);
+    if (shape.mirrored) turn_triangles(mesh);
     drop_unused_vertices(mesh);
     repair_normals(mesh, import.notes);
     repair_tangents(mesh, import.notes);
@@ -66,21 +82,18 @@ Mesh read_primitive(Import& import, const Value& primitive)
 
 }  // namespace
 
-std::vector<std::uint32_t> read_mesh(Import& import, const Value& mesh)
+std::vector<std::uint32_t> read_mesh(Import& import, const Value& mesh, const Shape& shape)
 {
     std::vector<std::uint32_t> numbers;
     const Value primitives = mesh.member("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const Value primitive = primitives[i];
         note_extensions(import, primitive, "primitives");
-        if (primitive.find("targets")) {
-            import.notes.add("primitives with morph targets", "drawn in their base shape");
-        }
         if (!primitive.member("attributes").find("POSITION")) {
             import.notes.add("primitives without POSITION", "not drawn");
             continue;
         }
-        Mesh read = read_primitive(import, primitive);
+        Mesh read = read_primitive(import, primitive, shape);
         if (read.indices.empty()) continue;
         read.name = name_of(mesh);
         numbers.push_back(static_cast<std::uint32_t>(import.scene.meshes.size()));

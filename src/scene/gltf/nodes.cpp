@@ -6,31 +6,12 @@
 #include "scene/gltf/nodes.h"
 
 #include <charconv>
-#include <cmath>
-#include <map>
 
 #include "scene/gltf/materials.h"
-#include "scene/gltf/mesh.h"
 
 namespace sheer::gltf {
 
 namespace {
-
-constexpr std::size_t kMaxObjects = std::size_t{1} << 22;
-constexpr std::uint64_t kMaxCorners = 3 * (std::uint64_t{1} << 31);  // with instances
-
-Matrix read_matrix(const Value& value, const Matrix& numbers)
-{
-    for (std::size_t c = 0; c < 4; ++c) {
-        // Writers that invert matrices leave rounding in the last row.
-        if (std::abs(numbers[4 * c + 3] - kIdentityMatrix[4 * c + 3]) > 1e-5) {
-            value.fail("the last row must be 0 0 0 1");
-        }
-    }
-    Matrix matrix = numbers;
-    for (std::size_t c = 0; c < 4; ++c) matrix[4 * c + 3] = kIdentityMatrix[4 * c + 3];
-    return matrix;
-}
 
 Matrix local_matrix(Import& import, const Value& node)
 {
@@ -40,19 +21,18 @@ Matrix local_matrix(Import& import, const Value& node)
             import.notes.add("nodes with a matrix and translation, rotation or scale",
                              "the matrix counts");
         }
-        return read_matrix(*value, numbers_or<16>(node, "matrix", kIdentityMatrix));
+        const auto matrix = affine(numbers_or<16>(node, "matrix", kIdentityMatrix));
+        if (!matrix) value->fail("the last row must be 0 0 0 1");
+        return *matrix;
     }
     if (!placed) return kIdentityMatrix;
     Placement placement;
     placement.translation = numbers_or<3>(node, "translation", placement.translation);
     placement.scale = numbers_or<3>(node, "scale", placement.scale);
     placement.rotation = numbers_or<4>(node, "rotation", placement.rotation);
-    auto& q = placement.rotation;
-    const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
-    if (!(length > 1e-6) || !std::isfinite(length)) {
+    if (!normalize(placement.rotation)) {
         node.member("rotation").fail("must be a unit quaternion");
     }
-    for (double& c : q) c /= length;
     return matrix_of(placement);
 }
 
@@ -110,28 +90,6 @@ std::vector<std::size_t> root_nodes(Import& import)
     return roots;
 }
 
-Mat4 require_float(const Value& node, const Matrix& world)
-{
-    if (const auto matrix = to_float(world)) return *matrix;
-    node.fail("its place in the world is infinite or not a number");
-}
-
-class ObjectLimits {
-public:
-    void count(const Value& node, const Mesh& mesh)
-    {
-        if (++objects_ > kMaxObjects) node.fail("more objects than Sheer reads (2^22)");
-        corners_ += mesh.indices.size();
-        if (corners_ > kMaxCorners) {
-            node.fail("more triangles than Sheer draws (2^31, each node's counted)");
-        }
-    }
-
-private:
-    std::size_t objects_ = 0;
-    std::uint64_t corners_ = 0;
-};
-
 }  // namespace
 
 std::vector<PlacedNode> place_nodes(Import& import)
@@ -162,32 +120,6 @@ std::vector<PlacedNode> place_nodes(Import& import)
         }
     }
     return placed;
-}
-
-void place_objects(Import& import, const std::vector<PlacedNode>& nodes)
-{
-    Scene& scene = import.scene;
-    std::map<std::size_t, std::vector<std::uint32_t>> meshes;  // by the file's mesh, read once
-    ObjectLimits limits;
-    for (const PlacedNode& placed : nodes) {
-        const Value node = import.document.item("nodes", placed.number);
-        const auto reference = node.find("mesh");
-        if (!reference) continue;
-        const std::size_t number = import.document.index_in("meshes", *reference);
-        if (!meshes.contains(number)) {
-            meshes[number] = read_mesh(import, import.document.item("meshes", number));
-        }
-        if (node.find("skin")) import.notes.add("nodes with a skin", "drawn at rest");
-        for (const std::uint32_t mesh : meshes[number]) {
-            limits.count(node, scene.meshes[mesh]);
-            Object object;
-            object.name = name_of(node);
-            object.mesh = mesh;
-            object.transform = require_float(node, placed.world);
-            object.id = static_cast<std::uint32_t>(scene.objects.size());
-            scene.objects.push_back(std::move(object));
-        }
-    }
 }
 
 }  // namespace sheer::gltf

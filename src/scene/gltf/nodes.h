@@ -16,7 +16,4 @@ struct PlacedNode {
 // The default scene's nodes, a node before its children, children in their order.
 std::vector<PlacedNode> place_nodes(Import& import);
 
-// One Object for each primitive of each node's mesh, numbered in that order.
-void place_objects(Import& import, const std::vector<PlacedNode>& nodes);
-
 }  // namespace sheer::gltf

@@ -1,0 +1,126 @@
+// Nodes with meshes (glTF 2.0, sections 3.5 and 3.7): which shape each has, and how often it is
+// there.
+
+#include "scene/gltf/objects.h"
+
+#include <map>
+#include <utility>
+
+#include "scene/gltf/instances.h"
+#include "scene/gltf/mesh.h"
+#include "scene/gltf/morph.h"
+#include "scene/gltf/skin.h"
+
+namespace sheer::gltf {
+
+namespace {
+
+constexpr std::size_t kMaxObjects = std::size_t{1} << 22;
+constexpr std::uint64_t kMaxCorners = 3 * (std::uint64_t{1} << 31);  // with instances
+
+using MeshNumbers = std::vector<std::uint32_t>;  // in Scene::meshes, one for each primitive
+
+Mat4 require_float(const Value& node, const Matrix& world)
+{
+    if (const auto matrix = to_float(world)) return *matrix;
+    node.fail("its place in the world is infinite or not a number");
+}
+
+class ObjectLimits {
+public:
+    void count(const Value& node, const Mesh& mesh)
+    {
+        if (++objects_ > kMaxObjects) node.fail("more objects than Sheer reads (2^22)");
+        corners_ += mesh.indices.size();
+        if (corners_ > kMaxCorners) {
+            node.fail("more triangles than Sheer draws (2^31, each node's counted)");
+        }
+    }
+
+private:
+    std::size_t objects_ = 0;
+    std::uint64_t corners_ = 0;
+};
+
+class Objects {
+public:
+    Objects(Import& import, const std::vector<PlacedNode>& nodes)
+        : import_(import), worlds_(import.document.count("nodes"), nullptr)
+    {
+        for (const PlacedNode& placed : nodes) worlds_[placed.number] = &placed.world;
+    }
+
+    void place(const PlacedNode& placed)
+    {
+        const Value node = import_.document.item("nodes", placed.number);
+        const auto reference = node.find("mesh");
+        if (!reference) return;
+        const std::size_t mesh = import_.document.index_in("meshes", *reference);
+        const auto instances = read_instances(import_, node, kMaxObjects);
+        if (const Skin* skin = skin_of(node)) {
+            if (instances) import_.notes.add("nodes with a skin and instances", "drawn once");
+            Shape shape = {morph_weights(import_.document.item("meshes", mesh), node), skin,
+                           determinant(placed.world) < 0};
+            const auto meshes = read_mesh(import_, import_.document.item("meshes", mesh), shape);
+            add(node, meshes, kIdentityMatrix);
+            return;
+        }
+        const MeshNumbers& meshes = shared_meshes(node, mesh);
+        if (!instances) add(node, meshes, placed.world);
+        for (std::size_t i = 0; instances && i < instances->size(); ++i) {
+            add(node, meshes, multiply(placed.world, (*instances)[i]));
+        }
+    }
+
+private:
+    void add(const Value& node, const MeshNumbers& meshes, const Matrix& world)
+    {
+        Scene& scene = import_.scene;
+        for (const std::uint32_t mesh : meshes) {
+            limits_.count(node, scene.meshes[mesh]);
+            Object object;
+            object.name = name_of(node);
+            object.mesh = mesh;
+            object.transform = require_float(node, world);
+            object.id = static_cast<std::uint32_t>(scene.objects.size());
+            scene.objects.push_back(std::move(object));
+        }
+    }
+
+    const MeshNumbers& shared_meshes(const Value& node, std::size_t number)
+    {
+        const Value mesh = import_.document.item("meshes", number);
+        const std::pair key(number, morph_weights(mesh, node));
+        const auto known = meshes_.find(key);
+        if (known != meshes_.end()) return known->second;
+        return meshes_[key] = read_mesh(import_, mesh, {.weights = key.second});
+    }
+
+    // Null when there is none that can be used.
+    const Skin* skin_of(const Value& node)
+    {
+        const auto reference = node.find("skin");
+        if (!reference) return nullptr;
+        const std::size_t number = import_.document.index_in("skins", *reference);
+        if (!skins_.contains(number)) {
+            skins_[number] = read_skin(import_, import_.document.item("skins", number), worlds_);
+        }
+        return skins_[number] ? &*skins_[number] : nullptr;
+    }
+
+    Import& import_;
+    std::vector<const Matrix*> worlds_;  // by the file's nodes
+    std::map<std::pair<std::size_t, std::vector<double>>, MeshNumbers> meshes_;  // with weights
+    std::map<std::size_t, std::optional<Skin>> skins_;
+    ObjectLimits limits_;
+};
+
+}  // namespace
+
+void place_objects(Import& import, const std::vector<PlacedNode>& nodes)
+{
+    Objects objects(import, nodes);
+    for (const PlacedNode& placed : nodes) objects.place(placed);
+}
+
+}  // namespace sheer::gltf
