@@ -1,7 +1,8 @@
 // The oracle: every fragment of a sample in double precision, sorted, composited with `over`.
 //
-// Slow and plain on purpose. It shares the scene and the posed, clipped, snapped triangles with the
-// renderer, and the positions of the samples, nothing else; docs/numerics.md is its specification.
+// Slow and plain on purpose. It shares the scene, the decoded images and the posed, clipped,
+// snapped triangles with the renderer, and the positions of the samples, nothing else;
+// docs/numerics.md is its specification.
 #pragma once
 
 #include <cstdint>
@@ -21,14 +22,17 @@ struct Fragment {
     double opacity = 0;           // in [0, 1]
     double color[3] = {0, 0, 0};  // straight, linear
     std::uint32_t id = 0;
+    // Of each channel; of coloured glass the mean is 1 - opacity.
+    double transmittance[3] = {1 - opacity, 1 - opacity, 1 - opacity};
 };
 
 struct Rgba {
     double r = 0, g = 0, b = 0, a = 0;  // premultiplied, linear
 };
 
-// The exact colour of one sample: fragments in any order over a backdrop. Ties in depth: the
-// smaller id is in front.
+// The exact colour of one sample: fragments in any order over a backdrop (docs/numerics.md,
+// "Resolve"), each channel by its own transmittance, alpha by the mean of what they all let
+// through. Ties in depth: the smaller id is in front.
 Rgba composite(std::vector<Fragment> fragments, Rgba backdrop);
 
 // Why a pixel's exact answer may jump under the renderer's rounding. Two depths are within rounding
@@ -39,8 +43,14 @@ Rgba composite(std::vector<Fragment> fragments, Rgba backdrop);
 // none.
 enum Discontinuity : std::uint8_t {
     kDepthsWithinRounding = 1,  // of two visible transparent fragments, or of two opaque ones
-    kOpacityAtCutoff = 2,       // a visible MASK fragment's opacity within 1e-6 of its cutoff
+    kOpacityAtCutoff = 2,       // a visible MASK fragment's opacity within 1e-6 of its cutoff, 1e-4
+                                // where it is textured
     kCoplanarWithOpaque = 4,    // of a transparent fragment and the opaque one
+    kNearestTexel = 8,          // a visible fragment's texture is read within 1e-3 texel of where
+                                // the nearest texel changes, or its level is within 1e-4 of where
+                                // the nearest level or the filter does
+    kProbeCount = 16,           // a visible fragment's texture is read with a number of probes that
+                                // changes within 1e-4 of the ratio of its footprint's sides
 };
 
 struct Picture {
