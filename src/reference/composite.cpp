@@ -15,17 +15,17 @@ Rgba composite(std::vector<Fragment> fragments, Rgba backdrop)
     std::stable_sort(fragments.begin(), fragments.end(), [](const Fragment& a, const Fragment& b) {
         return std::tie(a.depth, a.id) < std::tie(b.depth, b.id);
     });
-    Rgba sum;
-    double transmittance = 1;
+    double sum[3] = {0, 0, 0};
+    double transmittance[3] = {1, 1, 1};
     for (const Fragment& fragment : fragments) {
-        const double weight = transmittance * fragment.opacity;
-        sum.r += weight * fragment.color[0];
-        sum.g += weight * fragment.color[1];
-        sum.b += weight * fragment.color[2];
-        transmittance *= 1 - fragment.opacity;
+        for (int c = 0; c < 3; ++c) {
+            sum[c] += transmittance[c] * fragment.opacity * fragment.color[c];
+            transmittance[c] *= fragment.transmittance[c];
+        }
     }
-    return {sum.r + transmittance * backdrop.r, sum.g + transmittance * backdrop.g,
-            sum.b + transmittance * backdrop.b, 1 - transmittance * (1 - backdrop.a)};
+    const double mean = (transmittance[0] + transmittance[1] + transmittance[2]) / 3;
+    return {sum[0] + transmittance[0] * backdrop.r, sum[1] + transmittance[1] * backdrop.g,
+            sum[2] + transmittance[2] * backdrop.b, 1 - mean * (1 - backdrop.a)};
 }
 
 bool in_front(const Sighting& a, const Sighting& b)

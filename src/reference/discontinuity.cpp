@@ -1,6 +1,7 @@
 // Where the exact picture jumps: places at which a rounding of the renderer's floats may pick
-// another order, or another side of an opaque surface or of a cutoff, than doubles do. Comparisons
-// leave those pixels to a looser test. What counts is docs/numerics.md, "Visibility".
+// another order, another side of an opaque surface or of a cutoff, or another texel than doubles
+// do. Comparisons leave those pixels to a looser test. What counts is docs/numerics.md,
+// "Visibility".
 #include <algorithm>
 #include <cmath>
 
@@ -54,6 +55,39 @@ double color_difference(const Surface& a, const Surface& b)
                      std::abs(a.color[2] - b.color[2])});
 }
 
+// How much a sample changes at most, for a backdrop of 1, by a transparent surface's presence.
+double presence_of(const Surface& surface)
+{
+    const double* t = surface.transmittance;
+    return std::max({surface.opacity, 1 - t[0], 1 - t[1], 1 - t[2]});
+}
+
+// e_a + T_a e_b less e_b + T_b e_a, by which two surfaces' order shows; e = opacity color. It is
+// opacity_a opacity_b (color_a - color_b) where T = 1 - opacity.
+double swap_difference(const Surface& a, const Surface& b)
+{
+    double largest = 0;
+    for (int c = 0; c < 3; ++c) {
+        const double first = a.opacity * a.color[c] * (1 - b.transmittance[c]);
+        const double second = b.opacity * b.color[c] * (1 - a.transmittance[c]);
+        largest = std::max(largest, std::abs(first - second));
+    }
+    return largest;
+}
+
+// Of the surfaces so far, in the channel that lets most through.
+struct Remaining {
+    double channels[3] = {1, 1, 1};
+
+    void pass(const Surface& surface)
+    {
+        for (int c = 0; c < 3; ++c) {
+            channels[c] *= surface.transmittance[c];
+        }
+    }
+    double most() const { return std::max({channels[0], channels[1], channels[2]}); }
+};
+
 // Depths further apart than this cannot swap, whichever of the list's triangles they belong to.
 double widest_tolerance(const std::vector<Sighting>& sightings)
 {
@@ -64,12 +98,12 @@ double widest_tolerance(const std::vector<Sighting>& sightings)
     return kDepthRounding * largest;
 }
 
-// Swapping two neighbours of the sorted list changes the sample by T a_i a_j (c_i - c_j); the T
+// Swapping two neighbours of the sorted list changes the sample by T times swap_difference; the T
 // before the nearer one bounds what is between two that are no neighbours.
 bool order_may_change(const std::vector<Sighting>& visible)
 {
     const double reach = widest_tolerance(visible);
-    double transmittance = 1;
+    Remaining remaining;
     for (std::size_t i = 0; i < visible.size(); ++i) {
         const Surface& near = *visible[i].surface;
         for (std::size_t j = i + 1; j < visible.size(); ++j) {
@@ -77,26 +111,25 @@ bool order_may_change(const std::vector<Sighting>& visible)
                 break;
             }
             const Surface& far = *visible[j].surface;
-            const double change =
-                transmittance * near.opacity * far.opacity * color_difference(near, far);
+            const double change = remaining.most() * swap_difference(near, far);
             if (change > kInvisibleChange && may_swap(visible[i], visible[j])) {
                 return true;
             }
         }
-        transmittance *= 1 - near.opacity;
+        remaining.pass(near);
     }
     return false;
 }
 
 double transmittance_before(const std::vector<Sighting>& visible, const Sighting& sighting)
 {
-    double transmittance = 1;
+    Remaining remaining;
     for (const Sighting& other : visible) {
         if (in_front(other, sighting)) {
-            transmittance *= 1 - other.surface->opacity;
+            remaining.pass(*other.surface);
         }
     }
-    return transmittance;
+    return remaining.most();
 }
 
 bool winner_may_change(const SampleView& view)
@@ -113,11 +146,11 @@ bool winner_may_change(const SampleView& view)
 bool may_cross(const SampleView& view, const Sighting& sighting)
 {
     return may_swap(sighting, view.opaque.front()) &&
-           transmittance_before(view.visible, sighting) * sighting.surface->opacity >
+           transmittance_before(view.visible, sighting) * presence_of(*sighting.surface) >
                kInvisibleChange;
 }
 
-bool cutoff_matters(const SampleView& view, const Sighting& sighting)
+bool is_seen(const SampleView& view, const Sighting& sighting)
 {
     const bool behind_opaque = !view.opaque.empty() && in_front(view.opaque.front(), sighting) &&
                                !may_swap(view.opaque.front(), sighting);
@@ -143,8 +176,8 @@ std::uint8_t discontinuities(const SampleView& view)
         }
     }
     for (const Sighting& sighting : view.undecided) {
-        if (cutoff_matters(view, sighting)) {
-            flags |= kOpacityAtCutoff;
+        if (is_seen(view, sighting)) {
+            flags |= sighting.surface->discontinuities;
         }
     }
     return static_cast<std::uint8_t>(flags);

@@ -9,6 +9,7 @@
 
 #include "geometry/triangles.h"
 #include "raster/sample_pattern.h"
+#include "reference/mipmap.h"
 #include "reference/reference.h"
 
 namespace sheer::reference {
@@ -41,16 +42,26 @@ enum class Presence {
 // A triangle's fragment in one pixel, shaded.
 struct Surface {
     const Triangle* triangle = nullptr;
-    std::uint64_t mask = 0;  // the samples that it covers
-    double color[3] = {0, 0, 0};
+    std::uint64_t mask = 0;       // the samples that it covers
+    double color[3] = {0, 0, 0};  // straight, as in Fragment; the radiance of an opaque one
     double opacity = 0;
+    double transmittance[3] = {1, 1, 1};
     Presence presence = Presence::absent;
-    bool at_cutoff = false;  // MASK, so near the cutoff that rounding may decide
+    std::uint8_t discontinuities = 0;  // its own: rounding may shade it otherwise
 };
 
-// Shades at `affine` weights; triangle and mask are the caller's to set.
-Surface shade(const Scene& scene, const Geometry& geometry, const TriangleChunk& chunk,
-              const Triangle& triangle, const Weights& affine, double exposure_scale);
+// What all fragments of a picture are shaded with.
+struct Shader {
+    const Scene& scene;
+    const Geometry& geometry;
+    Textures textures;
+    double exposure_scale;
+};
+
+// Shades at `affine` weights, by docs/numerics.md, "Shading"; triangle and mask are the caller's to
+// set.
+Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
+              const Weights& affine);
 
 // A surface as one sample sees it.
 struct Sighting {
@@ -66,7 +77,7 @@ struct SampleView {
     std::vector<Sighting> visible;    // transparent, in front of the opaque depth, near to far
     std::vector<Sighting> hidden;     // transparent, not in front of it
     std::vector<Sighting> opaque;     // near to far; the first one wins
-    std::vector<Sighting> undecided;  // MASK at its cutoff, whether present or not
+    std::vector<Sighting> undecided;  // with discontinuities of their own, whether present or not
 };
 
 // Bits of Discontinuity.

@@ -28,12 +28,10 @@ using SampleRow = std::vector<Sample>;                    // of one row of pixel
 using PixelSurfaces = std::vector<std::vector<Surface>>;  // of one band, row by row
 
 struct Work {
-    const Scene& scene;
-    const Geometry& geometry;
     const View& view;
+    Shader shader;
     std::vector<SamplePoint> pattern;
     Rgba background;
-    double exposure_scale;
     std::vector<double> filter;  // see filter_weights
 };
 
@@ -60,12 +58,11 @@ void gather(const Work& work, const TriangleChunk& chunk, const Triangle& triang
             if (mask == 0) {
                 continue;
             }
-            Surface surface = shade(work.scene, work.geometry, chunk, triangle,
-                                    weights_at_centroid(triangle, pixel, mask, work.pattern),
-                                    work.exposure_scale);
+            Surface surface = shade(work.shader, chunk, triangle,
+                                    weights_at_centroid(triangle, pixel, mask, work.pattern));
             surface.triangle = &triangle;
             surface.mask = mask;
-            if (surface.presence != Presence::absent || surface.at_cutoff) {
+            if (surface.presence != Presence::absent || surface.discontinuities != 0) {
                 const int index = (y - first_row) * work.view.width + x;
                 surfaces[static_cast<std::size_t>(index)].push_back(surface);
             }
@@ -77,7 +74,7 @@ PixelSurfaces gather_band(const Work& work, int first_row, int last_row)
 {
     const int pixels = (last_row - first_row + 1) * work.view.width;
     PixelSurfaces surfaces(static_cast<std::size_t>(pixels));
-    for (const TriangleChunk& chunk : work.geometry.chunks) {
+    for (const TriangleChunk& chunk : work.shader.geometry.chunks) {
         for (const Triangle& triangle : chunk.triangles) {
             gather(work, chunk, triangle, first_row, last_row, surfaces);
         }
@@ -99,7 +96,7 @@ void look(const std::vector<Surface>& surfaces, PixelAddress pixel, std::size_t 
             continue;
         }
         const Sighting sighting{&surface, depth_at(*surface.triangle, pixel, point)};
-        if (surface.at_cutoff) {
+        if (surface.discontinuities != 0) {
             view.undecided.push_back(sighting);
         }
         if (surface.presence == Presence::opaque) {
@@ -130,10 +127,12 @@ Sample sample_color(const SampleView& view, Rgba background)
     fragments.reserve(view.visible.size());
     for (const Sighting& sighting : view.visible) {
         const Surface& surface = *sighting.surface;
-        fragments.push_back({sighting.depth,
-                             surface.opacity,
-                             {surface.color[0], surface.color[1], surface.color[2]},
-                             surface.triangle->primitive});
+        fragments.push_back(
+            {sighting.depth,
+             surface.opacity,
+             {surface.color[0], surface.color[1], surface.color[2]},
+             surface.triangle->primitive,
+             {surface.transmittance[0], surface.transmittance[1], surface.transmittance[2]}});
     }
     return {composite(std::move(fragments), backdrop), discontinuities(view)};
 }
@@ -231,12 +230,10 @@ void append_row(const Work& work, const std::array<const SampleRow*, 3>& rows, P
 Picture render(const Scene& scene, const Geometry& geometry, const View& view, Float4 background)
 {
     const std::vector<SamplePoint> pattern = sample_pattern(view.samples, view.positions);
-    const Work work{scene,
-                    geometry,
-                    view,
+    const Work work{view,
+                    {scene, geometry, Textures(scene), std::exp2(double{view.exposure})},
                     pattern,
                     {background[0], background[1], background[2], background[3]},
-                    std::exp2(double{view.exposure}),
                     filter_weights(view.filter, pattern)};
     Picture picture{view.width, view.height, {}, {}};
     // The last two rows and the one at hand; row y is filtered once row y + 1 is known.

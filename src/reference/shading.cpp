@@ -1,11 +1,15 @@
-// A fragment's colour and opacity: perspective-correct attributes, one sun, one sky.
-//
-// Interpolation: J. Blinn, "Hyperbolic interpolation", 1992. The formulas are docs/numerics.md,
-// "Fragments" and "Shading".
+// A fragment's colour, opacity and transmittance from its material, textures and lights. The
+// formulas are docs/numerics.md, "Shading".
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 
 #include "reference/fragments.h"
+#include "reference/light.h"
+#include "reference/reflection.h"
+#include "reference/spot.h"
+#include "reference/vector.h"
 
 namespace sheer::reference {
 
@@ -14,104 +18,188 @@ namespace {
 // A float knows an opacity near 1 to 6e-8 and the renderer rounds a few times on the way to it.
 constexpr double kCutoffRounding = 1e-6;
 
-// Shorter normals have no direction that could be trusted; docs/numerics.md makes them 0.
-constexpr double kShortestNormal = 1e-10;
+// The renderer's texels are multiples of 1/65535, and its coordinates are floats: 6e-8 of a texture
+// 1024 texels wide is 6e-5 of a texel, over which alpha may go from 0 to 1.
+constexpr double kTexturedCutoffRounding = 1e-4;
 
-Weights perspective_correct(const Triangle& triangle, const Weights& affine, bool orthographic)
-{
-    if (orthographic) {
-        return affine;
-    }
-    Weights weights;
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-        weights.b[i] = affine.b[i] * -double{triangle.depth[i]};  // depth is -1/w
-        sum += weights.b[i];
-    }
-    for (double& weight : weights.b) {
-        weight /= sum;
-    }
-    return weights;
-}
+constexpr double kLeastRoughness = 0.1;
+constexpr double kDielectricReflectance = 0.04;  // glTF 2.0, appendix B: of an index of 1.5
+constexpr double kLeastOpacityOfGlass = 1e-6;
 
-// As steps from the first value, so that what is equal at the vertices stays exactly so between
-// them.
-double interpolate(const Weights& weights, double at0, double at1, double at2)
-{
-    return at0 + weights.b[1] * (at1 - at0) + weights.b[2] * (at2 - at0);
-}
-
-struct Direction {
-    double x, y, z;
+// Base colour, straight, and the opacity before the alpha mode decides.
+struct Base {
+    Vec3 color;
+    double opacity;
 };
 
-Direction facing_normal(const Weights& weights, const Attributes* const vertices[3], bool back)
+Base base_of(Spot& spot)
 {
-    double n[3];
-    for (std::size_t k = 0; k < 3; ++k) {
-        n[k] = interpolate(weights, vertices[0]->normal[k], vertices[1]->normal[k],
-                           vertices[2]->normal[k]);
+    const Material& material = spot.material;
+    const std::array<double, 4> vertex = spot.vertex_color();
+    const Texel texel = spot.read(material.base_color_texture, base_color_use(material));
+    Base base;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double straight = texel[3] > 0 ? texel[c] / texel[3] : 0;
+        base.color[c] = material.base_color[c] * vertex[c] * straight;
     }
-    const double length = std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
-    if (length < kShortestNormal) {
-        return {0, 0, 0};
-    }
-    const double scale = (back ? -1 : 1) / length;
-    return {n[0] * scale, n[1] * scale, n[2] * scale};
+    base.opacity = material.alpha_mode == AlphaMode::opaque
+                       ? 1
+                       : std::clamp(material.opacity * vertex[3] * texel[3], 0.0, 1.0);
+    return base;
 }
 
-// Radiance of a white surface.
-double light(const Scene& scene, const Direction& n, std::size_t channel)
+// The vertices' normal, bent by the normal texture.
+Vec3 bent_normal(Spot& spot)
 {
-    const double up = 0.5 + 0.5 * n.y;
-    const double sky = scene.sky.down[channel] * (1 - up) + scene.sky.up[channel] * up;
-    const Float3& l = scene.sun.to_light;
-    const double cosine = n.x * l[0] + n.y * l[1] + n.z * l[2];
-    return sky + scene.sun.color[channel] * std::max(0.0, cosine);
+    const Material& material = spot.material;
+    const Vec3 n = spot.normal();
+    const Vec3 interpolated = spot.tangent();
+    const Vec3 t = normalized(interpolated - dot(n, interpolated) * n);
+    if (!material.normal_texture || dot(n, n) == 0 || dot(t, t) == 0) {
+        return n;
+    }
+    const double side = spot.texture_vertices[0].tangent[3];
+    const Vec3 b = side * cross(n, t);
+    const Texel texel = spot.read(material.normal_texture, TexelUse::data);
+    const double s = material.normal_scale;
+    return normalized(s * (2 * texel[0] - 1) * t + s * (2 * texel[1] - 1) * b +
+                      (2 * texel[2] - 1) * n);
 }
 
-void set_presence(Surface& surface, const Material& material)
+Vec3 facing_normal(Spot& spot)
 {
-    switch (material.alpha_mode) {
-        case AlphaMode::opaque: surface.presence = Presence::opaque; break;
-        case AlphaMode::mask:
-            surface.presence =
-                surface.opacity >= material.alpha_cutoff ? Presence::opaque : Presence::absent;
-            surface.at_cutoff = std::abs(surface.opacity - material.alpha_cutoff) < kCutoffRounding;
-            break;
-        case AlphaMode::blend:
-            surface.presence = surface.opacity > 0 ? Presence::transparent : Presence::absent;
-            break;
+    return (spot.triangle.back_facing != 0 ? -1.0 : 1.0) * bent_normal(spot);
+}
+
+Vec3 emission_of(Spot& spot)
+{
+    const Texel texel = spot.read(spot.material.emission_texture, TexelUse::opaque_color);
+    return to_vec3(spot.material.emission) * Vec3{texel[0], texel[1], texel[2]};
+}
+
+Vec3 diffuse_radiance(const Spot& spot, const Vec3& color, const Vec3& normal)
+{
+    const Scene& scene = spot.shader.scene;
+    Vec3 light = sky_radiance(scene.sky, normal);
+    for (const Arrival& arrival : arrivals_at(scene, spot.place.position)) {
+        const double cosine = std::max(0.0, dot(normal, arrival.to_light));
+        light = light + (cosine / std::numbers::pi) * arrival.irradiance;
     }
-    if (material.alpha_mode != AlphaMode::blend) {
-        surface.opacity = 1;
+    return color * light;
+}
+
+struct MetallicRoughness {
+    double metallic, roughness, transmission;
+};
+
+MetallicRoughness metallic_roughness_of(Spot& spot)
+{
+    const Material& material = spot.material;
+    const Texel texel = spot.read(material.metallic_roughness_texture, TexelUse::data);
+    const Texel transmission = spot.read(material.transmission_texture, TexelUse::data);
+    return {material.metallic * texel[2],
+            std::clamp(material.roughness * texel[1], kLeastRoughness, 1.0),
+            material.transmission * transmission[0]};
+}
+
+Vec3 metallic_roughness_radiance(const Spot& spot, const Vec3& color, const Vec3& normal,
+                                 const MetallicRoughness& values)
+{
+    const Scene& scene = spot.shader.scene;
+    const double m = values.metallic;
+    const Vec3 diffuse = (1 - m) * (1 - values.transmission) * color;
+    if (dot(normal, normal) == 0) {
+        return diffuse * sky_radiance(scene.sky, normal);
     }
+    const Vec3 dielectric = {kDielectricReflectance, kDielectricReflectance,
+                             kDielectricReflectance};
+    const Reflector reflector{normal, spot.place.to_eye, diffuse,
+                              dielectric + m * (color - dielectric), values.roughness};
+    Vec3 radiance = reflected_sky(reflector, scene.sky);
+    for (const Arrival& arrival : arrivals_at(scene, spot.place.position)) {
+        const double cosine = std::max(0.0, dot(normal, arrival.to_light));
+        radiance =
+            radiance + cosine * (arrival.irradiance * reflectance(reflector, arrival.to_light));
+    }
+    return radiance;
+}
+
+// A surface through which nothing but its opacity's rest is seen.
+void set_plain(Surface& surface, const Vec3& radiance, double opacity)
+{
+    surface.opacity = opacity;
+    for (std::size_t c = 0; c < 3; ++c) {
+        surface.color[c] = radiance[c];
+        surface.transmittance[c] = 1 - opacity;
+    }
+    surface.presence = opacity > 0 ? Presence::transparent : Presence::absent;
+}
+
+// docs/numerics.md, "Transmission".
+void set_glass(Surface& surface, const Vec3& radiance, double opacity, const Vec3& color,
+               const MetallicRoughness& values)
+{
+    const double through =
+        values.transmission * (1 - values.metallic) * (1 - kDielectricReflectance);
+    const Vec3 t = Vec3{1 - opacity, 1 - opacity, 1 - opacity} + opacity * through * color;
+    surface.opacity = 1 - mean(t);
+    if (surface.opacity < kLeastOpacityOfGlass) {
+        return;
+    }
+    for (std::size_t c = 0; c < 3; ++c) {
+        surface.color[c] = opacity * radiance[c] / surface.opacity;
+        surface.transmittance[c] = t[c];
+    }
+    surface.presence = Presence::transparent;
 }
 
 }  // namespace
 
-Surface shade(const Scene& scene, const Geometry& geometry, const TriangleChunk& chunk,
-              const Triangle& triangle, const Weights& affine, double exposure_scale)
+Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
+              const Weights& affine)
 {
-    const Object& object = scene.objects[triangle.object];
-    const Material& material = scene.materials[scene.meshes[object.mesh].material];
-    const Weights weights = perspective_correct(triangle, affine, geometry.orthographic);
-    const Attributes* const vertices[3] = {&geometry.attributes_of(chunk, triangle.vertex[0]),
-                                           &geometry.attributes_of(chunk, triangle.vertex[1]),
-                                           &geometry.attributes_of(chunk, triangle.vertex[2])};
-    const Direction normal = facing_normal(weights, vertices, triangle.back_facing != 0);
+    Spot spot = spot_at(shader, chunk, triangle, affine);
+    const Material& material = spot.material;
+    const double object_opacity = shader.scene.objects[triangle.object].opacity;
 
-    Surface surface;
-    for (std::size_t k = 0; k < 3; ++k) {
-        const double vertex_color = interpolate(weights, vertices[0]->color[k],
-                                                vertices[1]->color[k], vertices[2]->color[k]);
-        const double lit = material.shading == Shading::unlit ? 1.0 : light(scene, normal, k);
-        surface.color[k] = material.base_color[k] * vertex_color * lit * exposure_scale;
+    // Read what the material needs, and no more: unread textures have no discontinuities.
+    const Base base = base_of(spot);
+    MetallicRoughness values{0, 1, 0};
+    Vec3 radiance = base.color;
+    if (material.shading == Shading::diffuse) {
+        radiance = diffuse_radiance(spot, base.color, facing_normal(spot)) + emission_of(spot);
+    } else if (material.shading == Shading::metallic_roughness) {
+        values = metallic_roughness_of(spot);
+        radiance = metallic_roughness_radiance(spot, base.color, facing_normal(spot), values) +
+                   emission_of(spot);
     }
-    const double vertex_alpha =
-        interpolate(weights, vertices[0]->color[3], vertices[1]->color[3], vertices[2]->color[3]);
-    surface.opacity = std::clamp(material.opacity * vertex_alpha, 0.0, 1.0);
-    set_presence(surface, material);
+    radiance = shader.exposure_scale * radiance;
+
+    // What passes the mask is opaque.
+    Surface surface;
+    surface.discontinuities = spot.discontinuities;
+    double opacity = base.opacity;
+    if (material.alpha_mode == AlphaMode::mask) {
+        const double rounding =
+            material.base_color_texture ? kTexturedCutoffRounding : kCutoffRounding;
+        if (std::abs(opacity - material.alpha_cutoff) < rounding) {
+            surface.discontinuities |= kOpacityAtCutoff;
+        }
+        if (opacity < material.alpha_cutoff) {
+            return surface;
+        }
+        opacity = 1;
+    }
+
+    opacity *= object_opacity;
+    if (transmits(material)) {
+        set_glass(surface, radiance, opacity, base.color, values);
+    } else {
+        set_plain(surface, radiance, opacity);
+        if (material.alpha_mode != AlphaMode::blend && object_opacity >= 1) {
+            surface.presence = Presence::opaque;
+        }
+    }
     return surface;
 }
 
