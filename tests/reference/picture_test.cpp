@@ -217,6 +217,41 @@ TEST(Discontinuities, SurfacesOnAnOpaqueOne)
     EXPECT_EQ(flags_of(opaque), kDepthsWithinRounding);
 }
 
+// Metallic-roughness glass in the dark: it shows its emission and what is behind it.
+Material dark_glass(Float3 color, Float3 emission)
+{
+    Material material;
+    material.shading = Shading::metallic_roughness;
+    material.base_color = color;
+    material.transmission = 1;
+    material.emission = emission;
+    return material;
+}
+
+TEST(Discontinuities, OrderOfColoredGlass)
+{
+    SmallScene small;
+    small.scene.sun.color = small.scene.sky.up = small.scene.sky.down = {0, 0, 0};
+    small.add_wall(dark_glass(kRed, {0, 0, 0}), 0, 1, 1e-6f);
+    small.add_wall(dark_glass({1, 1, 0}, {0, 0, 0}), 1, 1, -1e-6f);
+    // Filters that don't shine may be swapped.
+    EXPECT_EQ(flags_of(small), 0);
+    // One that shines red is seen through red glass by 0.96, in front of it by 1.
+    small.scene.materials[1].emission = kRed;
+    EXPECT_EQ(flags_of(small), kDepthsWithinRounding);
+    // On an opaque surface it may be hidden.
+    small.scene.materials[0] = unlit(AlphaMode::opaque, kRed, 1);
+    EXPECT_EQ(flags_of(small), kCoplanarWithOpaque);
+    // Black glass hides all that is behind it.
+    SmallScene behind;
+    behind.scene.sun.color = behind.scene.sky.up = behind.scene.sky.down = {0, 0, 0};
+    behind.add_wall(unlit(AlphaMode::blend, kGreen, 0.5f), 0, 1, 1e-6f);
+    behind.add_wall(unlit(AlphaMode::blend, kBlue, 0.5f), 1, 1, -1e-6f);
+    EXPECT_EQ(flags_of(behind), kDepthsWithinRounding);
+    behind.add_wall(dark_glass({0, 0, 0}, {0, 0, 0}), 2, 0.5f);
+    EXPECT_EQ(flags_of(behind), 0);
+}
+
 TEST(Discontinuities, ReachAsFarAsTheFilter)
 {
     // MASK at its cutoff in pixel 2 alone.

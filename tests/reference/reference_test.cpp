@@ -74,6 +74,18 @@ TEST(Composite, OpacityZeroAndOne)
     expect_near(composite({behind, solid, clear}, {1, 1, 1, 1}), {0.5, 0.25, 0.125, 1}, 0);
 }
 
+TEST(Composite, EachChannelHasItsOwnTransmittance)
+{
+    // Emission (0.25, 0.1, 0) through red glass, over 0.5 of green behind it.
+    const Fragment red{0.1, 0.5, {0.5, 0.2, 0}, 1, {1, 0.5, 0}};
+    const Fragment green{0.2, 0.5, {0, 1, 0.5}, 2};
+    const Rgba expected = {0.25 + 0.5 * 0.8, 0.1 + 0.5 * 0.5 + 0.25 * 0.6, 0,
+                           1 - (0.5 + 0.25) / 3 * (1 - 0.4)};
+    expect_near(composite({red, green}, {0.8, 0.6, 1, 0.4}), expected);
+    expect_near(composite({green, red}, {0.8, 0.6, 1, 0.4}), expected);
+    EXPECT_EQ(green.transmittance[1], 0.5);
+}
+
 TEST(Coverage, QuadOfTwoTrianglesCoversEachSampleOnce)
 {
     // One layer of opacity 0.5 leaves alpha 0.5 wherever a sample is covered once, no matter by

@@ -17,6 +17,8 @@ struct Corner {
     float depth = 1;
     Float4 color = {1, 1, 1, 1};
     Float3 normal = {0, 1, 0};
+    Float2 texcoord = {0, 0};  // of set 0; set 1 has v and u
+    Float4 tangent = {0, 0, 0, 0};
 };
 
 inline Material unlit(AlphaMode mode, Float3 color, float opacity)
@@ -33,9 +35,11 @@ struct SmallScene {
     Scene scene;
     Geometry geometry;
 
+    // Seen from the origin along -z.
     SmallScene()
     {
         geometry.orthographic = true;
+        geometry.eye = {true, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, 1, 1, 1, 1};
         geometry.chunks.emplace_back();
     }
 
@@ -63,6 +67,8 @@ struct SmallScene {
             triangle.depth[i] = corners[i].depth;
             triangle.vertex[i] = static_cast<std::uint32_t>(geometry.attributes.size());
             geometry.attributes.push_back({corners[i].normal, corners[i].color});
+            const Float2 uv = corners[i].texcoord;
+            geometry.texture_attributes.push_back({{uv, {uv[1], uv[0]}}, corners[i].tangent});
         }
         triangle.primitive = primitive;
         triangle.object = object & 0x7fffffffu;
@@ -71,11 +77,25 @@ struct SmallScene {
     }
 
     // Covers the picture and more; `tilt` is how much the depth grows per pixel to the right.
-    void add_wall(const Material& material, std::uint32_t primitive, float depth, float tilt = 0)
+    Triangle& add_wall(const Material& material, std::uint32_t primitive, float depth,
+                       float tilt = 0)
     {
         const float right = depth + 1000 * tilt;
-        add_triangle(add_object(material), primitive,
-                     {{{0, -500, depth}, {1000, 500, right}, {0, 1500, depth}}});
+        return add_triangle(add_object(material), primitive,
+                            {{{0, -500, depth}, {1000, 500, right}, {0, 1500, depth}}});
+    }
+
+    // A wall that faces the viewer, whose texture coordinates are pixels from the top left corner;
+    // its tangent points to the right.
+    Triangle& add_papered_wall(const Material& material, std::uint32_t primitive, float depth)
+    {
+        std::array<Corner, 3> corners = {{{0, -500, depth}, {1000, 500, depth}, {0, 1500, depth}}};
+        for (Corner& corner : corners) {
+            corner.normal = {0, 0, 1};
+            corner.texcoord = {static_cast<float>(corner.x), static_cast<float>(corner.y)};
+            corner.tangent = {1, 0, 0, 1};
+        }
+        return add_triangle(add_object(material), primitive, corners);
     }
 
     Picture render(const View& view, Float4 background = {0, 0, 0, 0}) const
@@ -91,6 +111,49 @@ inline View small_view(int width, int height, int samples)
     view.height = height;
     view.samples = samples;
     return view;
+}
+
+inline constexpr Sampler kNearest = {Wrap::repeat, Wrap::repeat, TexelFilter::nearest,
+                                     TexelFilter::nearest, MipFilter::none};
+
+// Texture coordinates of a papered wall are pixels: here `width` by `height` of them are the image.
+inline Texture paper(std::uint32_t image, double width, double height)
+{
+    Texture texture;
+    texture.image = image;
+    texture.sampler = kNearest;
+    texture.transform = {static_cast<float>(1 / width), 0, 0, 0, static_cast<float>(1 / height), 0};
+    return texture;
+}
+
+inline Texture plain_paper(std::uint32_t image)
+{
+    return paper(image, 1, 1);
+}
+
+// Black but for what a test lights.
+inline SmallScene dark_scene()
+{
+    SmallScene small;
+    small.scene.sun.color = {0, 0, 0};
+    small.scene.sky.up = small.scene.sky.down = {0, 0, 0};
+    return small;
+}
+
+inline Material glossy(Float3 color, float metallic, float roughness)
+{
+    Material material;
+    material.shading = Shading::metallic_roughness;
+    material.base_color = color;
+    material.metallic = metallic;
+    material.roughness = roughness;
+    return material;
+}
+
+// The only pixel of a picture with one sample.
+inline Rgba pixel_of(const SmallScene& small, Float4 background = {0, 0, 0, 0})
+{
+    return small.render(small_view(1, 1, 1), background).pixels[0];
 }
 
 }  // namespace sheer::reference
