@@ -20,6 +20,8 @@ constexpr std::array kScenes = {
                  "layers=8&split=32", make_quads},
     BuiltinScene{"motor", "322 thousand triangles of nested machine parts, white, alpha 0.3",
                  "alpha=0.3&detail=1", make_motor},
+    BuiltinScene{"checker", "a plane of opacities 0 and 1 that goes to the horizon",
+                 "alpha=mask&check=0.25", make_checker},
 };
 
 }  // namespace

@@ -10,5 +10,6 @@ class Query;
 Scene make_layers(const Query& query);
 Scene make_quads(const Query& query);
 Scene make_motor(const Query& query);
+Scene make_checker(const Query& query);
 
 }  // namespace sheer
