@@ -22,6 +22,8 @@ constexpr std::array kScenes = {
                  "alpha=0.3&detail=1", make_motor},
     BuiltinScene{"checker", "a plane of opacities 0 and 1 that goes to the horizon",
                  "alpha=mask&check=0.25", make_checker},
+    BuiltinScene{"fence", "a chain-link fence along a playing field, two triangles",
+                 "alpha=mask&wire=0.006", make_fence},
 };
 
 }  // namespace

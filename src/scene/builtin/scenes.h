@@ -11,5 +11,6 @@ Scene make_layers(const Query& query);
 Scene make_quads(const Query& query);
 Scene make_motor(const Query& query);
 Scene make_checker(const Query& query);
+Scene make_fence(const Query& query);
 
 }  // namespace sheer
