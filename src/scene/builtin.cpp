@@ -24,6 +24,8 @@ constexpr std::array kScenes = {
                  "alpha=mask&check=0.25", make_checker},
     BuiltinScene{"fence", "a chain-link fence along a playing field, two triangles",
                  "alpha=mask&wire=0.006", make_fence},
+    BuiltinScene{"smoke", "a cloud of textured squares, alpha 0.05; a plume with 100,000",
+                 "particles=1000&alpha=0.05&shape=cloud", make_smoke},
 };
 
 }  // namespace

@@ -12,5 +12,6 @@ Scene make_quads(const Query& query);
 Scene make_motor(const Query& query);
 Scene make_checker(const Query& query);
 Scene make_fence(const Query& query);
+Scene make_smoke(const Query& query);
 
 }  // namespace sheer
