@@ -26,6 +26,8 @@ constexpr std::array kScenes = {
                  "alpha=mask&wire=0.006", make_fence},
     BuiltinScene{"smoke", "a cloud of textured squares, alpha 0.05; a plume with 100,000",
                  "particles=1000&alpha=0.05&shape=cloud", make_smoke},
+    BuiltinScene{"cloth", "folded cloths over one another, colourful, alpha 0.4",
+                 "alpha=0.4&cloths=2&detail=4", make_cloth},
 };
 
 }  // namespace

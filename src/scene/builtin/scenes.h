@@ -13,5 +13,6 @@ Scene make_motor(const Query& query);
 Scene make_checker(const Query& query);
 Scene make_fence(const Query& query);
 Scene make_smoke(const Query& query);
+Scene make_cloth(const Query& query);
 
 }  // namespace sheer
