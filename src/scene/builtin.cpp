@@ -28,6 +28,8 @@ constexpr std::array kScenes = {
                  "particles=1000&alpha=0.05&shape=cloud", make_smoke},
     BuiltinScene{"cloth", "folded cloths over one another, colourful, alpha 0.4",
                  "alpha=0.4&cloths=2&detail=4", make_cloth},
+    BuiltinScene{"hair", "a dog with a coat of transparent hairs; 300,000 are the paper's dog",
+                 "strands=15000&alpha=0.7&length=0.11&segments=16", make_hair},
 };
 
 }  // namespace

@@ -14,5 +14,6 @@ Scene make_checker(const Query& query);
 Scene make_fence(const Query& query);
 Scene make_smoke(const Query& query);
 Scene make_cloth(const Query& query);
+Scene make_hair(const Query& query);
 
 }  // namespace sheer
