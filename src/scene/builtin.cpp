@@ -30,6 +30,8 @@ constexpr std::array kScenes = {
                  "alpha=0.4&cloths=2&detail=4", make_cloth},
     BuiltinScene{"hair", "a dog with a coat of transparent hairs; 300,000 are the paper's dog",
                  "strands=15000&alpha=0.7&length=0.11&segments=16", make_hair},
+    BuiltinScene{"foliage", "a garden, every surface of which has alpha 0.5", "alpha=0.5",
+                 make_foliage},
 };
 
 }  // namespace

@@ -15,5 +15,6 @@ Scene make_fence(const Query& query);
 Scene make_smoke(const Query& query);
 Scene make_cloth(const Query& query);
 Scene make_hair(const Query& query);
+Scene make_foliage(const Query& query);
 
 }  // namespace sheer

@@ -91,6 +91,7 @@ void add_sheet(Mesh& mesh, const Sheet& sheet)
             points.push_back(sheet.point(static_cast<double>(i) / sheet.columns,
                                          static_cast<double>(j) / sheet.rows));
     const auto at = [&](int i, int j) {
+        if (sheet.closed) i = (i + sheet.columns) % sheet.columns;
         i = std::min(std::max(i, 0), sheet.columns);
         j = std::min(std::max(j, 0), sheet.rows);
         return points[static_cast<std::size_t>(j * wide + i)];

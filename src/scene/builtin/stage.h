@@ -44,6 +44,7 @@ struct Sheet {
     std::function<shapes::Vec(double u, double v)> point;
     std::function<Paint(double u, double v)> color = {};
     Float2 repeat = {1, 1};  // texture coordinates are (u, v) times this
+    bool closed = false;     // the last column of points is the first again: a tube
 };
 
 void add_sheet(Mesh& mesh, const Sheet& sheet);
