@@ -32,6 +32,8 @@ constexpr std::array kScenes = {
                  "strands=15000&alpha=0.7&length=0.11&segments=16", make_hair},
     BuiltinScene{"foliage", "a garden, every surface of which has alpha 0.5", "alpha=0.5",
                  make_foliage},
+    BuiltinScene{"tree", "a tree of alpha-mapped cards", "alpha=mask&cards=60000&distance=1",
+                 make_tree},
 };
 
 }  // namespace

@@ -16,5 +16,6 @@ Scene make_smoke(const Query& query);
 Scene make_cloth(const Query& query);
 Scene make_hair(const Query& query);
 Scene make_foliage(const Query& query);
+Scene make_tree(const Query& query);
 
 }  // namespace sheer
