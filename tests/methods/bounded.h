@@ -85,6 +85,7 @@ struct LoneBounded {
 
     static real select(bool m, real a, real b) { return m ? a : b; }
     static whole select(bool m, whole a, whole b) { return m ? a : b; }
+    static whole zero_unless(bool m, whole a) { return m ? a : 0; }
     // Near where they turn, both sides' errors count.
     static real min(real a, real b)
     {
