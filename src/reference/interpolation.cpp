@@ -66,7 +66,7 @@ double change_of(const Weights& per_pixel, double at0, double at1, double at2)
     return per_pixel.b[1] * (at1 - at0) + per_pixel.b[2] * (at2 - at0);
 }
 
-Place place_at(const Triangle& triangle, const Weights& affine, const Geometry::Eye& eye)
+Place place_at(const Triangle& triangle, const Weights& affine, const Eye& eye)
 {
     const auto affinely = [&](double at0, double at1, double at2) {
         return interpolate(affine, at0, at1, at2);

@@ -31,6 +31,6 @@ struct Place {
 
 // The place in the world that is seen at affine weights: the inverse of Projection in
 // scene/camera.h.
-Place place_at(const Triangle& triangle, const Weights& affine, const Geometry::Eye& eye);
+Place place_at(const Triangle& triangle, const Weights& affine, const Eye& eye);
 
 }  // namespace sheer::reference

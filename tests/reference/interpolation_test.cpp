@@ -74,7 +74,7 @@ TEST(ReferenceInterpolation, EqualAttributesStayAndChangeNowhere)
 }
 
 // Turned by a third around (1, 1, 1): axes become one another, all that counts is their order.
-Geometry::Eye turned_eye(bool orthographic)
+Eye turned_eye(bool orthographic)
 {
     return {orthographic, {5, -3, 2}, {0, 1, 0}, {0, 0, 1}, {1, 0, 0}, 1.5, 2, 40, 30};
 }
@@ -82,7 +82,7 @@ Geometry::Eye turned_eye(bool orthographic)
 TEST(ReferenceInterpolation, PlacesAreSeenWhereTheyAre)
 {
     for (const bool orthographic : {false, true}) {
-        const Geometry::Eye eye = turned_eye(orthographic);
+        const Eye eye = turned_eye(orthographic);
         const Triangle triangle = slanted_triangle(orthographic);
         for (const auto& [x, y] : {std::pair(3, 4), {10, 8}, {1, 20}}) {
             const Weights affine = affine_at(triangle, x, y);
