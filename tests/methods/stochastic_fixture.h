@@ -36,6 +36,7 @@ inline std::vector<reference::Fragment> fragments_of(const StochasticLayers& lay
         reference::Fragment fragment;
         fragment.depth = layer.depth;
         fragment.opacity = static_cast<double>(static_cast<float>(layer.alpha));
+        std::fill_n(fragment.transmittance, 3, 1 - fragment.opacity);
         for (std::size_t c = 0; c < 3; ++c) fragment.color[c] = static_cast<double>(layer.color[c]);
         fragment.id = static_cast<std::uint32_t>(fragments.size());
         fragments.push_back(fragment);

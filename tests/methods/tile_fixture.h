@@ -225,6 +225,7 @@ inline std::vector<reference::Fragment> fragments_at(std::span<const Plate> plat
         reference::Fragment fragment;
         fragment.depth = precise_depth(plate.depth, set, tile_pixel(used), s);
         fragment.opacity = static_cast<double>(plate.color[3]);
+        std::fill_n(fragment.transmittance, 3, 1 - fragment.opacity);
         for (std::size_t c = 0; c < 3; ++c) fragment.color[c] = static_cast<double>(plate.color[c]);
         fragment.id = plate.primitive;
         fragments.push_back(fragment);
