@@ -116,7 +116,9 @@ bool transmits(const Material& material)
 
 TexelUse base_color_use(const Material& material)
 {
-    const bool alpha_counts = material.alpha_mode != AlphaMode::opaque || transmits(material);
+    const bool all_pass = material.alpha_mode == AlphaMode::mask && material.alpha_cutoff <= 0;
+    const bool alpha_counts =
+        (material.alpha_mode != AlphaMode::opaque && !all_pass) || transmits(material);
     return alpha_counts ? TexelUse::premultiplied_color : TexelUse::opaque_color;
 }
 

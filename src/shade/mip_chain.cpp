@@ -1,4 +1,5 @@
-// Levels are averaged in floats, each from the one before, and rounded to 16 bits for keeping.
+// Levels are averaged in floats, each from the one before, and colours rounded to 16 bits for
+// keeping.
 #include "shade/mip_chain.h"
 
 #include <algorithm>
@@ -87,8 +88,12 @@ std::uint32_t to_16_bits(float value)
     return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f);
 }
 
-void keep(MipChain& chain, const Texel& texel)
+void keep(MipChain& chain, TexelUse use, const Texel& texel)
 {
+    if (use == TexelUse::data) {
+        chain.floats.insert(chain.floats.end(), texel.begin(), texel.end());
+        return;
+    }
     chain.words.push_back(to_16_bits(texel[0]) | to_16_bits(texel[1]) << 16);
     chain.words.push_back(to_16_bits(texel[2]) | to_16_bits(texel[3]) << 16);
 }
@@ -97,7 +102,8 @@ void begin_level(MipChain& chain, std::size_t width, std::size_t height)
 {
     chain.width[chain.level_count] = static_cast<std::uint32_t>(width);
     chain.height[chain.level_count] = static_cast<std::uint32_t>(height);
-    chain.first[chain.level_count] = static_cast<std::uint32_t>(chain.words.size() / 2);
+    chain.first[chain.level_count] =
+        static_cast<std::uint32_t>(chain.words.size() / 2 + chain.floats.size() / 4);
     ++chain.level_count;
 }
 
@@ -116,16 +122,21 @@ MipChain make_mip_chain(const TextureImage& image, TexelUse use)
                      decoded[texel[2]] * alpha, alpha};
     };
     MipChain chain;
-    chain.words.reserve(2 * (width * height + width * height / 2 + 64));
+    const std::size_t most = width * height + width * height / 2 + 64;
+    if (use == TexelUse::data) {
+        chain.floats.reserve(4 * most);
+    } else {
+        chain.words.reserve(2 * most);
+    }
     begin_level(chain, width, height);
     for (std::size_t y = 0; y < height; ++y) {
-        for (std::size_t x = 0; x < width; ++x) keep(chain, at(x, y));
+        for (std::size_t x = 0; x < width; ++x) keep(chain, use, at(x, y));
     }
     if (width == 1 && height == 1) return chain;
     Level level = halved(width, height, at);
     for (;;) {
         begin_level(chain, level.width, level.height);
-        for (const Texel& texel : level.texels) keep(chain, texel);
+        for (const Texel& texel : level.texels) keep(chain, use, texel);
         if (level.width == 1 && level.height == 1) return chain;
         level = halved(level.width, level.height, [&](std::size_t x, std::size_t y) {
             return level.texels[y * level.width + x];
@@ -138,7 +149,7 @@ std::uint64_t mip_chain_bytes(const TextureImage& image)
     const std::uint64_t texels =
         static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
     // The chain, and two levels in floats: half of the image at most where it is one texel high.
-    return texels * 12 + 1024 + texels * 3 / 4 * sizeof(Texel);
+    return texels * 24 + 1024 + texels * 3 / 4 * sizeof(Texel);
 }
 
 }  // namespace sheer

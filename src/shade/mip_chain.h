@@ -18,14 +18,17 @@ enum class TexelUse {
     data,              // linear, alpha counts as 1
 };
 
-// 16 bits a channel in [0, 1]; red and green in the first word, blue and alpha in the second, the
-// lower half first.
+// Colours have 16 bits a channel: red and green in a texel's first word, blue and alpha in its
+// second, the lower half first, 65535 for 1. Data have floats: a highlight hangs on a normal's
+// sixth digit.
 struct MipChain {
     static constexpr std::size_t kMostLevels = 16;  // of images up to 32768 texels wide
     std::uint32_t level_count = 0;
     // Of each level: its size and its first texel.
     std::array<std::uint32_t, kMostLevels> width = {}, height = {}, first = {};
-    std::vector<std::uint32_t> words;  // two for each texel, rows from the top, level after level
+    // Rows from the top, level after level; one of the two is empty.
+    std::vector<std::uint32_t> words;  // two for each texel
+    std::vector<float> floats;         // four for each texel
 };
 
 MipChain make_mip_chain(const TextureImage& image, TexelUse use);

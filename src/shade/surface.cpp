@@ -43,7 +43,9 @@ float transmission_of(const Material& m)
 
 TexelUse base_color_use(const Material& m)
 {
-    const bool opaque = m.alpha_mode == AlphaMode::opaque && !(transmission_of(m) > 0);
+    // What passes at any alpha has to keep the colour that it has at 0.
+    const bool passes = m.alpha_mode == AlphaMode::mask && !(m.alpha_cutoff > 0);
+    const bool opaque = (m.alpha_mode == AlphaMode::opaque || passes) && !(transmission_of(m) > 0);
     return opaque ? TexelUse::color : TexelUse::color_with_alpha;
 }
 

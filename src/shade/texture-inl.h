@@ -91,6 +91,12 @@ HWY_INLINE Texel<L> fetch(const MipChain& mips, typename L::whole texel)
 {
     using real = typename L::real;
     using whole = typename L::whole;
+    if (!mips.floats.empty()) {
+        const float* at = mips.floats.data();
+        const whole first = texel << 2;
+        return {L::gather(at, first), L::gather(at + 1, first), L::gather(at + 2, first),
+                L::gather(at + 3, first)};
+    }
     const whole word = texel + texel;
     const whole rg = L::gather(mips.words.data(), word);
     const whole ba = L::gather(mips.words.data() + 1, word);
