@@ -1,5 +1,5 @@
-// Where fragments are shaded, for materials that need more than weights: place in the world, line
-// of sight, and how the weights change over the screen.
+// Where fragments are shaded, for materials that need more than weights: the line of sight, and how
+// the weights change over the screen.
 #if defined(SHEER_SHADE_POINT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHEER_SHADE_POINT_INL_H
 #undef SHEER_SHADE_POINT_INL_H
@@ -13,13 +13,28 @@
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
-// The world's places, relative to the eye, that pixels of a tile show: at pixel (x, y) of the tile,
-// centres at whole numbers, (first + x right + y down) times w under a perspective camera; under an
-// orthographic one that less the distance times `back`.
+// Away from the eye at pixel (x, y) of the tile, centres at whole numbers: first + x right + y down
+// under a perspective camera, against `back` under an orthographic one.
 struct EyeRays {
     bool orthographic;
     Float3 first, right, down, back;
 };
+
+// A triangle's corner in the world, relative to the eye.
+inline std::array<double, 3> place_of(const Eye& eye, const Triangle& t, std::size_t corner)
+{
+    const double x = 2.0 * t.x[corner] / (kSubpixels * eye.width) - 1;
+    const double y = 1 - 2.0 * t.y[corner] / (kSubpixels * eye.height);
+    const double depth = static_cast<double>(t.depth[corner]);
+    const double distance = eye.orthographic ? depth : -1 / depth;
+    const double w = eye.orthographic ? 1 : distance;
+    std::array<double, 3> place;
+    for (std::size_t i = 0; i < 3; ++i) {
+        place[i] = x * w / eye.scale_x * eye.right[i] + y * w / eye.scale_y * eye.up[i] -
+                   distance * eye.back[i];
+    }
+    return place;
+}
 
 inline EyeRays make_eye_rays(const Eye& eye, const PixelRect& rect)
 {
@@ -28,8 +43,7 @@ inline EyeRays make_eye_rays(const Eye& eye, const PixelRect& rect)
     const double x = (rect.x0 + 0.5 - 0.5 * eye.width) * pixel_x;
     const double y = (rect.y0 + 0.5 - 0.5 * eye.height) * pixel_y;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double ahead = eye.orthographic ? 0 : eye.back[i];
-        rays.first[i] = static_cast<float>(x * eye.right[i] - y * eye.up[i] - ahead);
+        rays.first[i] = static_cast<float>(x * eye.right[i] - y * eye.up[i] - eye.back[i]);
         rays.right[i] = static_cast<float>(pixel_x * eye.right[i]);
         rays.down[i] = static_cast<float>(-pixel_y * eye.up[i]);
         rays.back[i] = static_cast<float>(eye.back[i]);
@@ -56,17 +70,13 @@ HWY_INLINE ShadePoint<Block> shade_point(const TrianglePlanes& planes, const Eye
     p.w1_y = real(plane1.pixel_y);
     p.w2_y = real(plane2.pixel_y);
     if (rays.orthographic) {
-        const real distance =
-            real(planes.depth0) + at.b1 * real(planes.depth1) + at.b2 * real(planes.depth2);
         p.to_eye = Vec::of(rays.back);
-        p.place = ray - distance * p.to_eye;
         return p;
     }
     const float* inverse_w = planes.inverse_w;
     const real g1 = at.b1 * real(inverse_w[1]), g2 = at.b2 * real(inverse_w[2]);
     const real sum = (real(1.0f) - at.b1 - at.b2) * real(inverse_w[0]) + g1 + g2;
     const real w = real(1.0f) / sum;
-    p.place = w * ray;
     p.to_eye = normalized(Vec::all(0.0f) - ray);
     if (planes.affine) return p;
     p.w1 = g1 * w;

@@ -44,6 +44,7 @@ struct PendingRun {
 struct TileScratch {
     std::vector<PendingRun> pending;
     std::vector<SortedTriangle> sorted;
+    std::vector<Float3> light_places;  // as one triangle sees them
     // Of one opaque triangle.
     AlignedArray<std::uint32_t> pixel, low, high;
 

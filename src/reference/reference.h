@@ -51,6 +51,9 @@ enum Discontinuity : std::uint8_t {
                                 // the nearest level or the filter does
     kProbeCount = 16,           // a visible fragment's texture is read with a number of probes that
                                 // changes within 1e-4 of the ratio of its footprint's sides
+    kSteepColor = 32,           // a visible fragment's colour changes by more than a quarter of
+                                // 1e-4 max(1, |C|) when a weight changes by 2^-22: a highlight on
+                                // a normal texture, say
 };
 
 struct Picture {

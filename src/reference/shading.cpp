@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
 #include "reference/fragments.h"
 #include "reference/light.h"
@@ -21,6 +22,11 @@ constexpr double kCutoffRounding = 1e-6;
 // The renderer's texels are multiples of 1/65535, and its coordinates are floats: 6e-8 of a texture
 // 1024 texels wide is 6e-5 of a texel, over which alpha may go from 0 to 1.
 constexpr double kTexturedCutoffRounding = 1e-4;
+
+// Two units in the last place of a weight near 1, and the part of what two pictures may differ by
+// (1e-4) that such a step may take.
+constexpr double kFloatStep = 0x1p-22;
+constexpr double kSteepChange = 0.25e-4;
 
 constexpr double kLeastRoughness = 0.1;
 constexpr double kDielectricReflectance = 0.04;  // glTF 2.0, appendix B: of an index of 1.5
@@ -153,10 +159,8 @@ void set_glass(Surface& surface, const Vec3& radiance, double opacity, const Vec
     surface.presence = Presence::transparent;
 }
 
-}  // namespace
-
-Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
-              const Weights& affine)
+Surface shade_at(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
+                 const Weights& affine)
 {
     Spot spot = spot_at(shader, chunk, triangle, affine);
     const Material& material = spot.material;
@@ -198,6 +202,45 @@ Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& 
         set_plain(surface, radiance, opacity);
         if (material.alpha_mode != AlphaMode::blend && object_opacity >= 1) {
             surface.presence = Presence::opaque;
+        }
+    }
+    return surface;
+}
+
+// Mirrors that a texture bends or smoothes show a highlight whole between two of its texels.
+bool may_be_steep(const Material& material)
+{
+    return material.shading == Shading::metallic_roughness &&
+           (material.normal_texture || material.metallic_roughness_texture);
+}
+
+// Whether the colour hangs on more digits of a coordinate than a float has.
+bool is_steep(const Surface& surface, const Surface& beside)
+{
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double difference = std::abs(surface.color[c] - beside.color[c]);
+        if (difference > kSteepChange * std::max(1.0, std::abs(surface.color[c]))) return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
+              const Weights& affine)
+{
+    Surface surface = shade_at(shader, chunk, triangle, affine);
+    const std::uint32_t mesh = shader.scene.objects[triangle.object].mesh;
+    if (!may_be_steep(shader.scene.materials[shader.scene.meshes[mesh].material])) {
+        return surface;
+    }
+    for (const auto& [step1, step2] : {std::pair{1, 0}, {0, 1}}) {
+        Weights beside = affine;
+        beside.b[0] -= kFloatStep * (step1 + step2);
+        beside.b[1] += kFloatStep * step1;
+        beside.b[2] += kFloatStep * step2;
+        if (is_steep(surface, shade_at(shader, chunk, triangle, beside))) {
+            surface.discontinuities |= kSteepColor;
         }
     }
     return surface;

@@ -20,13 +20,16 @@ struct ShadePoint {
     typename L::real w1, w2;      // perspective-correct weights of vertices 1 and 2
     typename L::real w1_x, w2_x;  // how they change a pixel to the right
     typename L::real w1_y, w2_y;  // and down
-    Vector<L> place;              // relative to the eye, world axes
     Vector<L> to_eye;             // unit
     int lanes;                    // that hold a fragment
 };
 
 // What a triangle adds to TriangleSurface for a material with textures.
 struct TriangleDetail {
+    // Where there are lights: from vertex 0 to vertices 1 and 2, and to each of the lights, world
+    // axes. From the eye floats would not do: lights may be much nearer.
+    Float3 edge1, edge2;
+    const Float3* light_places;
     Varying<2> texcoords[2];
     Varying<3> tangent;
     float bitangent_side;
@@ -185,11 +188,10 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
         f.shaded = {color.x, color.y, color.z, base.opacity};
         return f;
     }
-    LitPoint<L> point{p.place,
-                      p.to_eye,
-                      surface_normal<L>(surface, triangle, detail, p),
-                      base.color,
-                      Vector<L>::all(0.04f),
+    const Vector<L> place = p.w1 * Vector<L>::of(detail.edge1) + p.w2 * Vector<L>::of(detail.edge2);
+    LitPoint<L> point{place,      detail.light_places,
+                      p.to_eye,   surface_normal<L>(surface, triangle, detail, p),
+                      base.color, Vector<L>::all(0.04f),
                       real(1.0f)};
     const Vector<L> emitted = emission<L>(material, detail, p);
     if (material.shading == Shading::diffuse) {

@@ -17,10 +17,11 @@ inline constexpr float kPi = 3.14159265f;
 // A surface's point, as the light meets it.
 template <class L>
 struct LitPoint {
-    Vector<L> place;   // relative to the eye, world axes
-    Vector<L> to_eye;  // unit
-    Vector<L> normal;  // unit or zero, turned to the side that is seen
-    Vector<L> color;   // of diffuse reflection
+    Vector<L> place;             // relative to the triangle's first vertex, world axes
+    const Float3* light_places;  // of each light, likewise
+    Vector<L> to_eye;            // unit
+    Vector<L> normal;            // unit or zero, turned to the side that is seen
+    Vector<L> color;             // of diffuse reflection
     // Metallic-roughness alone.
     Vector<L> at_front;  // F0: reflected of what comes at right angles
     typename L::real roughness;
@@ -33,14 +34,15 @@ struct Incident {
 };
 
 template <class L>
-HWY_NOINLINE Incident<L> incident_light(const PreparedLight& light, const Vector<L>& place)
+HWY_NOINLINE Incident<L> incident_light(const PreparedLight& light, const Float3& light_place,
+                                        const Vector<L>& place)
 {
     using real = typename L::real;
     const Vector<L> intensity = Vector<L>::of(light.intensity);
     const Vector<L> axis = Vector<L>::of(light.to_light);
     if (light.kind == LightKind::directional) return {axis, intensity};
     const real zero(0.0f), one(1.0f);
-    const Vector<L> way = Vector<L>::of(light.place) - place;
+    const Vector<L> way = Vector<L>::of(light_place) - place;
     const real squared = dot(way, way);
     const Vector<L> from = normalized(way);
     real strength = one / L::max(squared, real(1e-4f));  // nothing is nearer than a centimetre
@@ -62,12 +64,14 @@ HWY_INLINE Vector<L> sky_over(const Lighting& light, const Vector<L>& normal)
 
 // Calls `add` for the sun and for each light.
 template <class L, class Add>
-HWY_INLINE void for_each_light(const Lighting& light, const Vector<L>& place, Add&& add)
+HWY_INLINE void for_each_light(const Lighting& light, const LitPoint<L>& p, Add&& add)
 {
     using real = typename L::real;
     add(Incident<L>{Vector<L>::of(light.to_light),
                     real(kPi * light.gain) * Vector<L>::of(light.sun)});
-    for (const PreparedLight& l : light.lights) add(incident_light<L>(l, place));
+    for (std::size_t i = 0; i < light.lights.size(); ++i) {
+        add(incident_light<L>(light.lights[i], p.light_places[i], p.place));
+    }
 }
 
 // Lambert.
@@ -76,7 +80,7 @@ HWY_INLINE Vector<L> diffuse_radiance(const Lighting& light, const LitPoint<L>& 
 {
     using real = typename L::real;
     Vector<L> sum = real(light.gain) * sky_over<L>(light, p.normal);
-    for_each_light<L>(light, p.place, [&](const Incident<L>& in) HWY_ATTR {
+    for_each_light<L>(light, p, [&](const Incident<L>& in) HWY_ATTR {
         const real facing = L::max(dot(p.normal, in.from), real(0.0f));
         sum = sum + (facing * real(1 / kPi)) * in.irradiance;
     });
@@ -136,7 +140,7 @@ HWY_INLINE Vector<L> metallic_roughness_radiance(const Lighting& light, const Li
     const Vector<L> under =
         (Vector<L>::all(1.0f) - mirror) * p.color * sky_over<L>(light, p.normal);
     Vector<L> sum = real(light.gain) * (under + mirror * seen);
-    for_each_light<L>(light, p.place,
+    for_each_light<L>(light, p,
                       [&](const Incident<L>& in) HWY_ATTR { sum = sum + reflected<L>(p, in, nv); });
     const auto has_normal = dot(p.normal, p.normal) > zero;
     return select<L>(has_normal, sum, real(light.gain) * (p.color * Vector<L>::of(light.sky_mean)));

@@ -139,7 +139,7 @@ PreparedLight prepare_light(const Light& light, float gain, const Eye& eye)
 {
     PreparedLight p{light.kind, {}, {}, times(light.intensity, gain), 0, 0, 0};
     for (std::size_t i = 0; i < 3; ++i) {
-        p.place[i] = static_cast<float>(static_cast<double>(light.position[i]) - eye.position[i]);
+        p.place[i] = static_cast<double>(light.position[i]) - eye.position[i];
         p.to_light[i] = -light.direction[i];
     }
     if (light.range > 0) p.inverse_range = 1 / light.range;

@@ -49,10 +49,10 @@ struct Surface {
     const MaterialDetail* detail = nullptr;  // null: `color` and `opacity` are all
 };
 
-// A light as seen from the eye, its colours times 2^exposure.
+// A light, its colours times 2^exposure.
 struct PreparedLight {
     LightKind kind;
-    Float3 place;      // relative to the eye, world axes; point and spot
+    double place[3];   // relative to the eye, world axes; point and spot
     Float3 to_light;   // directional; of a spot: against its axis
     Float3 intensity;  // irradiance, at one metre for point and spot
     float inverse_range;
