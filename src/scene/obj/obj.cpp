@@ -1,7 +1,12 @@
 // One pass over the statements; meshes and materials are made when all of them are known.
 #include "scene/obj.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
+#include <map>
+#include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -87,20 +92,20 @@ private:
     // x y z, then nothing, or w, which only free-form surfaces use, or r g b.
     void read_position()
     {
-        Float3 position, color;
+        Float3 position;
         for (float& x : position) x = line_.number();
+        Float4 color = {1, 1, 1, 1};
         std::size_t more = 0;
         for (; more < 3; ++more) {
             const std::string_view word = argument();
             if (word.empty()) break;
-            color[more] = line_.to_number(word);
+            color[more] = linear_color(line_.to_number(word));
         }
         if (more == 3) {
-            for (float& c : color) c = linear_color(c);
-            attributes_.colors.resize(attributes_.positions.size(), {1, 1, 1});
+            attributes_.colors.resize(attributes_.positions.size(), {1, 1, 1, 1});
             attributes_.colors.push_back(color);
         } else if (!attributes_.colors.empty()) {
-            attributes_.colors.push_back({1, 1, 1});
+            attributes_.colors.push_back({1, 1, 1, 1});
         }
         attributes_.positions.push_back(position);
     }
@@ -261,13 +266,15 @@ private:
     // A file of vertices alone: a scan.
     void place_points()
     {
-        Part& points = part(Topology::points);
-        const auto count = static_cast<std::uint32_t>(attributes_.positions.size());
-        points.indices.reserve(count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            points.indices.push_back(points.corners.number_of({i + 1, 0, 0}));
-        }
-        place_parts();
+        Mesh points;
+        points.name = name_of_file(path_);
+        points.topology = Topology::points;
+        points.positions = std::move(attributes_.positions);
+        points.colors = std::move(attributes_.colors);
+        points.indices.resize(points.positions.size());
+        std::iota(points.indices.begin(), points.indices.end(), 0u);
+        scene_.materials.push_back(plain_material(points.name, !points.colors.empty()));
+        place_mesh(scene_, std::move(points));
     }
 
     std::string path_;

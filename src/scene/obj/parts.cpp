@@ -45,10 +45,7 @@ Mesh to_mesh(Part& part, const Attributes& attributes, gltf::Notes& notes)
             mesh.texcoords[0].push_back(texcoord == 0 ? Float2{}
                                                       : attributes.texcoords[texcoord - 1]);
         }
-        if (colors) {
-            const Float3& c = attributes.colors[position - 1];
-            mesh.colors.push_back({c[0], c[1], c[2], 1});
-        }
+        if (colors) mesh.colors.push_back(attributes.colors[position - 1]);
     }
     part.corners = {};
     // Makes those that are missing.

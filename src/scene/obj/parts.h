@@ -16,7 +16,7 @@ namespace sheer::obj {
 // What v, vt and vn statements have given so far.
 struct Attributes {
     std::vector<Float3> positions;
-    std::vector<Float3> colors;  // as many, linear, or none
+    std::vector<Float4> colors;  // as many, linear, or none
     std::vector<Float2> texcoords;
     std::vector<Float3> normals;
 };
