@@ -85,17 +85,6 @@ TEST(GltfFaults, RequiredExtensions)
                   b.json["extensionsRequired"] = {"KHR_materials_unlit", "EXT_not_yet"};
               }),
               "test.gltf: extensionsRequired[1]: the extension EXT_not_yet is not supported");
-    // Without being required, compressed data may stand beside plain data, but not in its place.
-    const auto compress = [](Builder& b) {
-        primitive_of(b)["extensions"]["KHR_draco_mesh_compression"] = Json::object();
-    };
-    EXPECT_EQ(after(compress), "");
-    EXPECT_EQ(after([&](Builder& b) {
-                  compress(b);
-                  b.json["accessors"][0].erase("bufferView");
-              }),
-              "test.gltf: meshes[0].primitives[0]: the extension KHR_draco_mesh_compression is not "
-              "supported");
 }
 
 TEST(GltfFaults, Glb)

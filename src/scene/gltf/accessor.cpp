@@ -152,7 +152,7 @@ void open_sparse(Import& import, const Value& sparse, Accessor& accessor)
 
 }  // namespace
 
-Accessor open_accessor(Import& import, const Value& reference)
+Accessor describe_accessor(Import& import, const Value& reference)
 {
     const Value value = import.document.item("accessors", reference);
     Accessor accessor{value};
@@ -166,6 +166,14 @@ Accessor open_accessor(Import& import, const Value& reference)
     if (accessor.normalized && accessor.component == ComponentType::uint32) {
         value.fail("32-bit integers cannot be normalized");
     }
+    return accessor;
+}
+
+Accessor open_accessor(Import& import, const Value& reference)
+{
+    Accessor accessor = describe_accessor(import, reference);
+    const Value& value = accessor.value;
+    const std::uint64_t count = accessor.count;
     if (value.find("bufferView")) {
         accessor.elements =
             locate(import, value, {count, size_of(accessor.component) * accessor.width});

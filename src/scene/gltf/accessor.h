@@ -42,7 +42,8 @@ struct Accessor {
     SparseElements sparse = {};  // these stand in for some of `elements`
 };
 
-// `reference` is the place that holds the accessor's number.
+// `reference` is the place that holds the accessor's number. What is described has no data yet.
+Accessor describe_accessor(Import& import, const Value& reference);
 Accessor open_accessor(Import& import, const Value& reference);
 
 // Element i goes to out[i * pitch] and the floats behind it; pitch >= accessor.width.

@@ -11,9 +11,18 @@ namespace sheer::gltf {
 
 namespace {
 
+Accessor open(const VertexSource& source, const std::string& name, const Value& reference)
+{
+    if (source.draco) {
+        const auto decoded = source.draco->attributes.find(name);
+        if (decoded != source.draco->attributes.end()) return decoded->second.accessor;
+    }
+    return open_accessor(source.import, reference);
+}
+
 void read_positions(VertexSource& source, Mesh& mesh)
 {
-    const Accessor accessor = open_accessor(source.import, source.attributes.member("POSITION"));
+    const Accessor accessor = open(source, "POSITION", source.attributes.member("POSITION"));
     if (accessor.width != 3) accessor.value.fail("POSITION must be VEC3");
     mesh.positions = read_vectors<3>(accessor);
     require_finite(accessor.value, mesh.positions);
@@ -88,14 +97,17 @@ template void require_finite(const Value&, const std::vector<Float4>&);
 
 VertexSource open_vertices(Import& import, const Value& primitive)
 {
-    return {.import = import, .primitive = primitive, .attributes = primitive.member("attributes")};
+    return {.import = import,
+            .primitive = primitive,
+            .attributes = primitive.member("attributes"),
+            .draco = decode_draco(import, primitive)};
 }
 
 std::optional<Accessor> open_attribute(const VertexSource& source, const std::string& name)
 {
     const auto reference = source.attributes.find(name);
     if (!reference) return std::nullopt;
-    Accessor accessor = open_accessor(source.import, *reference);
+    Accessor accessor = open(source, name, *reference);
     if (accessor.count != source.count) {
         reference->fail("has " + std::to_string(accessor.count) + " elements, POSITION has " +
                         std::to_string(source.count));
@@ -123,6 +135,7 @@ void read_vertices(VertexSource& source, Mesh& mesh)
 
 std::vector<std::uint32_t> read_vertex_order(const VertexSource& source)
 {
+    if (source.draco) return source.draco->indices;
     if (const auto reference = source.primitive.find("indices")) {
         return read_indices(open_accessor(source.import, *reference), source.count);
     }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/gltf/accessor.h"
+#include "scene/gltf/draco.h"
 #include "scene/gltf/import.h"
 
 namespace sheer::gltf {
@@ -16,7 +17,8 @@ struct VertexSource {
     Import& import;
     Value primitive;
     Value attributes;
-    std::size_t count = 0;  // of vertices, once positions are read
+    std::optional<DracoMesh> draco;  // where it has an attribute, the file's accessors have no say
+    std::size_t count = 0;           // of vertices, once positions are read
 };
 
 // The primitive must have POSITION.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "scene/gltf/meshopt.h"
 #include "scene/gltf/uri.h"
 
 namespace sheer::gltf {
@@ -14,6 +15,7 @@ namespace sheer::gltf {
 namespace {
 
 constexpr std::uint64_t kMaxStride = 252;
+constexpr std::uint64_t kMaxDecompressed = std::uint64_t{1} << 32;
 
 }  // namespace
 
@@ -43,31 +45,59 @@ std::span<const std::uint8_t> Buffers::content(const Document& document, std::si
     return bytes;
 }
 
-BufferView Buffers::view(const Document& document, const Value& reference, Notes& notes)
+// The bytes that the members buffer, byteOffset and byteLength of `owner` tell.
+BufferView Buffers::range(const Document& document, const Value& owner, Notes& notes)
 {
-    const Value view = document.item("bufferViews", reference);
-    const Value buffer_reference = view.member("buffer");
+    const Value buffer_reference = owner.member("buffer");
     const std::size_t index = document.index_in("buffers", buffer_reference);
     const std::uint64_t buffer_length =
         document.item("buffers", index).member("byteLength").whole();
-    const std::uint64_t offset = whole_or(view, "byteOffset", 0);
+    const std::uint64_t offset = whole_or(owner, "byteOffset", 0);
     BufferView result;
-    result.length = view.member("byteLength").whole();
+    result.length = owner.member("byteLength").whole();
     if (offset + result.length > buffer_length) {
-        view.fail("byteOffset " + std::to_string(offset) + " and byteLength " +
-                  std::to_string(result.length) + " reach past the " +
-                  std::to_string(buffer_length) + " bytes of buffers[" + std::to_string(index) +
-                  "]");
-    }
-    result.stride = whole_or(view, "byteStride", 0);
-    if (view.find("byteStride") && (result.stride == 0 || result.stride > kMaxStride)) {
-        view.member("byteStride").fail("must be from 4 to 252");
+        owner.fail("byteOffset " + std::to_string(offset) + " and byteLength " +
+                   std::to_string(result.length) + " reach past the " +
+                   std::to_string(buffer_length) + " bytes of buffers[" + std::to_string(index) +
+                   "]");
     }
     const std::span<const std::uint8_t> bytes = content(document, index, notes);
     if (offset < bytes.size()) {
         const std::uint64_t there = std::min<std::uint64_t>(result.length, bytes.size() - offset);
         result.bytes =
             bytes.subspan(static_cast<std::size_t>(offset), static_cast<std::size_t>(there));
+    }
+    return result;
+}
+
+// The view's own buffer need not have any data then.
+BufferView Buffers::decompressed(const Document& document, const Value& view,
+                                 const Value& compression, Notes& notes)
+{
+    const std::uint64_t length = view.member("byteLength").whole();
+    if (!decompressed_.contains(view.where())) {
+        const BufferView compressed = range(document, compression, notes);
+        if (compressed.bytes.size() < compressed.length) {
+            compression.fail("its data is missing, the buffer is cut off");
+        }
+        decompressed_bytes_ += std::min(length, kMaxDecompressed + 1);
+        if (decompressed_bytes_ > kMaxDecompressed) {
+            compression.fail("more compressed data than Sheer reads (2^32 bytes)");
+        }
+        decompressed_[view.where()] = decode_meshopt(compression, compressed.bytes, length);
+    }
+    return {.bytes = decompressed_[view.where()], .length = length};
+}
+
+BufferView Buffers::view(const Document& document, const Value& reference, Notes& notes)
+{
+    const Value view = document.item("bufferViews", reference);
+    const auto compression = extension(view, "EXT_meshopt_compression");
+    BufferView result = compression ? decompressed(document, view, *compression, notes)
+                                    : range(document, view, notes);
+    result.stride = whole_or(view, "byteStride", 0);
+    if (view.find("byteStride") && (result.stride == 0 || result.stride > kMaxStride)) {
+        view.member("byteStride").fail("must be from 4 to 252");
     }
     return result;
 }

@@ -27,12 +27,17 @@ public:
     BufferView view(const Document& document, const Value& reference, Notes& notes);
 
 private:
+    BufferView range(const Document& document, const Value& owner, Notes& notes);
+    BufferView decompressed(const Document& document, const Value& view, const Value& compression,
+                            Notes& notes);
     std::span<const std::uint8_t> content(const Document& document, std::size_t index,
                                           Notes& notes);
 
     bool files_anywhere_;
     std::map<std::size_t, std::span<const std::uint8_t>> contents_;  // by buffer, cut to its length
     std::map<std::size_t, Bytes> decoded_;                           // by buffer, from data URIs
+    std::map<std::string, Bytes> decompressed_;                      // by the place of the view
+    std::uint64_t decompressed_bytes_ = 0;
     std::map<std::string, Bytes> files_;  // by path: several buffers may name one file
 };
 

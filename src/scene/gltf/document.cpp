@@ -19,9 +19,9 @@ namespace {
 constexpr std::size_t kMaxDepth = 64;  // glTF needs about 8; extras and extensions may go deeper
 
 constexpr std::string_view kSupportedExtensions[] = {
-    "EXT_mesh_gpu_instancing",    "KHR_lights_punctual", "KHR_materials_emissive_strength",
-    "KHR_materials_transmission", "KHR_materials_unlit", "KHR_mesh_quantization",
-    "KHR_texture_transform",
+    "EXT_mesh_gpu_instancing", "EXT_meshopt_compression",         "KHR_draco_mesh_compression",
+    "KHR_lights_punctual",     "KHR_materials_emissive_strength", "KHR_materials_transmission",
+    "KHR_materials_unlit",     "KHR_mesh_quantization",           "KHR_texture_transform",
 };
 
 struct Version {

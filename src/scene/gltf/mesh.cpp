@@ -27,20 +27,13 @@ Mode read_mode(const Value& primitive)
     return static_cast<Mode>(mode);
 }
 
-// Its accessors may be empty where the compressed data is meant to fill them.
-void refuse_compressed(const Import& import, const Value& primitive)
-{
-    constexpr std::string_view draco = "KHR_draco_mesh_compression";
-    const Value position = primitive.member("attributes").member("POSITION");
-    const bool is_empty = !import.document.item("accessors", position).find("bufferView");
-    if (is_empty && extension(primitive, draco)) {
-        primitive.fail("the extension " + std::string(draco) + " is not supported");
-    }
-}
-
 void join_vertices(const VertexSource& source, Mesh& mesh)
 {
-    const Mode mode = read_mode(source.primitive);
+    const Mode written = read_mode(source.primitive);
+    if (source.draco && topology_of(written) != Topology::triangles) {
+        source.primitive.fail("Draco meshes must be of triangles");
+    }
+    const Mode mode = source.draco ? Mode::triangles : written;  // which Draco makes of strips
     const auto order = read_vertex_order(source);
     mesh.topology = topology_of(mode);
     mesh.indices = plain_indices(mode, order);
@@ -64,7 +57,6 @@ void turn_triangles(Mesh& mesh)
 
 Mesh read_primitive(Import& import, const Value& primitive, const Shape& shape)
 {
-    refuse_compressed(import, primitive);
     VertexSource source = open_vertices(import, primitive);
     Mesh mesh;
     read_vertices(source, mesh);
