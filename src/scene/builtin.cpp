@@ -34,6 +34,8 @@ constexpr std::array kScenes = {
                  make_foliage},
     BuiltinScene{"tree", "a tree of alpha-mapped cards", "alpha=mask&cards=60000&distance=1",
                  make_tree},
+    BuiltinScene{"grass-and-smoke", "half-transparent grass, seen from inside of dense smoke",
+                 "particles=3000&alpha=0.12&grass=0.5", make_grass_and_smoke},
 };
 
 }  // namespace

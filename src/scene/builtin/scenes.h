@@ -17,5 +17,6 @@ Scene make_cloth(const Query& query);
 Scene make_hair(const Query& query);
 Scene make_foliage(const Query& query);
 Scene make_tree(const Query& query);
+Scene make_grass_and_smoke(const Query& query);
 
 }  // namespace sheer
