@@ -36,6 +36,9 @@ constexpr std::array kScenes = {
                  make_tree},
     BuiltinScene{"grass-and-smoke", "half-transparent grass, seen from inside of dense smoke",
                  "particles=3000&alpha=0.12&grass=0.5", make_grass_and_smoke},
+    BuiltinScene{"burning-house",
+                 "pre-lit fire and smoke behind half-transparent grass and bottles",
+                 "particles=6000&alpha=0.25&grass=0.7&glass=0.5", make_burning_house},
 };
 
 }  // namespace
