@@ -39,6 +39,8 @@ constexpr std::array kScenes = {
     BuiltinScene{"burning-house",
                  "pre-lit fire and smoke behind half-transparent grass and bottles",
                  "particles=6000&alpha=0.25&grass=0.7&glass=0.5", make_burning_house},
+    BuiltinScene{"windy-hill", "hair, cards of grass and a sheer scarf in the wind over stones",
+                 "hairs=15000&cards=6000&hair=0.6&cloth=0.45&alpha=blend", make_windy_hill},
 };
 
 }  // namespace

@@ -166,6 +166,7 @@ Scene make_burning_house(const Query& query)
     add_meadow(scene, grass);
     add_particles(scene, count, alpha);
     scene.cameras.push_back(make_camera("front", kEye, {0.62, 1.75, -2}, 0.70, 0.1));
+    scene.cameras[0].aspect = 1.4f;
     // The evening sky; the fire's own light on what stands before it.
     scene.sun.to_light = to_float(shapes::normalize({-0.35, 0.55, 0.6}));
     scene.sun.color = {0.62f, 0.36f, 0.20f};

@@ -216,6 +216,7 @@ Scene make_foliage(const Query& query)
         material.opacity = static_cast<float>(alpha);
     }
     scene.cameras.push_back(make_camera("path", {0.35, 1.55, 5.2}, {-0.1, 1.45, -4}, 0.72, 0.1));
+    scene.cameras[0].aspect = 1.4f;
     scene.sun.to_light = to_float(shapes::normalize({-0.55, 0.66, 0.55}));
     scene.sun.color = {1.05f, 0.95f, 0.78f};
     scene.sky.up = {0.36f, 0.42f, 0.50f};

@@ -19,5 +19,6 @@ Scene make_foliage(const Query& query);
 Scene make_tree(const Query& query);
 Scene make_grass_and_smoke(const Query& query);
 Scene make_burning_house(const Query& query);
+Scene make_windy_hill(const Query& query);
 
 }  // namespace sheer
