@@ -36,6 +36,16 @@ Texel decode(const std::array<std::uint8_t, 4>& bytes, TexelUse use)
             alpha};
 }
 
+// docs/numerics.md, "Mipmaps": to 16 bits; what doubles may get wrong goes upwards.
+Texel rounded(const Texel& texel)
+{
+    Texel result;
+    for (std::size_t c = 0; c < 4; ++c) {
+        result[c] = std::floor(texel[c] * 65535 + 0.5 + 1e-6) / 65535;
+    }
+    return result;
+}
+
 // A texel of the larger level and its part of a smaller one's length; the parts' sum is 1.
 struct Share {
     int index;
@@ -81,7 +91,7 @@ MipChain::MipChain(const TextureImage& image, TexelUse use) : image_(&image), us
                 Texel sum = {0, 0, 0, 0};
                 for (const Share& y : row) {
                     for (const Share& x : column) {
-                        const Texel texel = this->texel(level_above, x.index, y.index);
+                        const Texel texel = unrounded_texel(level_above, x.index, y.index);
                         for (std::size_t c = 0; c < 4; ++c) {
                             sum[c] += x.part * y.part * texel[c];
                         }
@@ -102,6 +112,12 @@ TextureSize MipChain::size(int level) const
 }
 
 Texel MipChain::texel(int level, int x, int y) const
+{
+    const Texel texel = unrounded_texel(level, x, y);
+    return use_ == TexelUse::data ? texel : rounded(texel);
+}
+
+Texel MipChain::unrounded_texel(int level, int x, int y) const
 {
     const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(size(level).width) +
                        static_cast<std::size_t>(x);

@@ -38,8 +38,10 @@ public:
 private:
     struct Level {
         TextureSize size;
-        std::vector<Texel> texels;
+        std::vector<Texel> texels;  // not rounded
     };
+
+    Texel unrounded_texel(int level, int x, int y) const;
 
     const TextureImage* image_;
     TexelUse use_;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 
 #include "reference/fragments.h"
 #include "reference/light.h"
@@ -23,9 +22,11 @@ constexpr double kCutoffRounding = 1e-6;
 // 1024 texels wide is 6e-5 of a texel, over which alpha may go from 0 to 1.
 constexpr double kTexturedCutoffRounding = 1e-4;
 
-// Two units in the last place of a weight near 1, and the part of what two pictures may differ by
-// (1e-4) that such a step may take.
-constexpr double kFloatStep = 0x1p-22;
+// What floats make of a weight near 1 is known to two units in its last place, of a unit normal
+// after a dozen of operations to four; a quarter of what two pictures may differ by (1e-4) is what
+// such a step may take.
+constexpr double kWeightStep = 0x1p-22;
+constexpr double kNormalStep = 0x1p-21;
 constexpr double kSteepChange = 0.25e-4;
 
 constexpr double kLeastRoughness = 0.1;
@@ -159,8 +160,14 @@ void set_glass(Surface& surface, const Vec3& radiance, double opacity, const Vec
     surface.presence = Presence::transparent;
 }
 
+Vec3 tilted(const Vec3& normal, const Vec3& tilt)
+{
+    return dot(normal, normal) == 0 ? normal : normalized(normal + tilt);
+}
+
+// `tilt` is added to the unit normal.
 Surface shade_at(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
-                 const Weights& affine)
+                 const Weights& affine, const Vec3& tilt)
 {
     Spot spot = spot_at(shader, chunk, triangle, affine);
     const Material& material = spot.material;
@@ -174,7 +181,8 @@ Surface shade_at(const Shader& shader, const TriangleChunk& chunk, const Triangl
         radiance = diffuse_radiance(spot, base.color, facing_normal(spot)) + emission_of(spot);
     } else if (material.shading == Shading::metallic_roughness) {
         values = metallic_roughness_of(spot);
-        radiance = metallic_roughness_radiance(spot, base.color, facing_normal(spot), values) +
+        radiance = metallic_roughness_radiance(spot, base.color, tilted(facing_normal(spot), tilt),
+                                               values) +
                    emission_of(spot);
     }
     radiance = shader.exposure_scale * radiance;
@@ -207,13 +215,6 @@ Surface shade_at(const Shader& shader, const TriangleChunk& chunk, const Triangl
     return surface;
 }
 
-// Mirrors that a texture bends or smoothes show a highlight whole between two of its texels.
-bool may_be_steep(const Material& material)
-{
-    return material.shading == Shading::metallic_roughness &&
-           (material.normal_texture || material.metallic_roughness_texture);
-}
-
 // Whether the colour hangs on more digits of a coordinate than a float has.
 bool is_steep(const Surface& surface, const Surface& beside)
 {
@@ -229,20 +230,26 @@ bool is_steep(const Surface& surface, const Surface& beside)
 Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
               const Weights& affine)
 {
-    Surface surface = shade_at(shader, chunk, triangle, affine);
+    Surface surface = shade_at(shader, chunk, triangle, affine, {});
     const std::uint32_t mesh = shader.scene.objects[triangle.object].mesh;
-    if (!may_be_steep(shader.scene.materials[shader.scene.meshes[mesh].material])) {
+    if (shader.scene.materials[shader.scene.meshes[mesh].material].shading !=
+        Shading::metallic_roughness) {
         return surface;
     }
-    for (const auto& [step1, step2] : {std::pair{1, 0}, {0, 1}}) {
+    const auto look_beside = [&](double b1, double b2, const Vec3& tilt) {
         Weights beside = affine;
-        beside.b[0] -= kFloatStep * (step1 + step2);
-        beside.b[1] += kFloatStep * step1;
-        beside.b[2] += kFloatStep * step2;
-        if (is_steep(surface, shade_at(shader, chunk, triangle, beside))) {
+        beside.b[0] -= b1 + b2;
+        beside.b[1] += b1;
+        beside.b[2] += b2;
+        if (is_steep(surface, shade_at(shader, chunk, triangle, beside, tilt))) {
             surface.discontinuities |= kSteepColor;
         }
-    }
+    };
+    look_beside(kWeightStep, 0, {});
+    look_beside(0, kWeightStep, {});
+    look_beside(0, 0, {kNormalStep, 0, 0});
+    look_beside(0, 0, {0, kNormalStep, 0});
+    look_beside(0, 0, {0, 0, kNormalStep});
     return surface;
 }
 

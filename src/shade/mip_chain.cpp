@@ -1,5 +1,4 @@
-// Levels are averaged in floats, each from the one before, and colours rounded to 16 bits for
-// keeping.
+// Levels are averaged in doubles, each from the one before, and rounded for keeping.
 #include "shade/mip_chain.h"
 
 #include <algorithm>
@@ -10,14 +9,14 @@ namespace sheer {
 
 namespace {
 
-using Texel = Float4;
+using Texel = std::array<double, 4>;
 
-std::array<float, 256> decoding_table(TexelUse use)
+std::array<double, 256> decoding_table(TexelUse use)
 {
-    std::array<float, 256> table;
+    std::array<double, 256> table;
     for (std::size_t i = 0; i < table.size(); ++i) {
         const double encoded = static_cast<double>(i) / 255;
-        table[i] = static_cast<float>(use == TexelUse::data ? encoded : linear_from_srgb(encoded));
+        table[i] = use == TexelUse::data ? encoded : linear_from_srgb(encoded);
     }
     return table;
 }
@@ -26,7 +25,7 @@ std::array<float, 256> decoding_table(TexelUse use)
 // texel count for; those between count for 1.
 struct Span {
     std::size_t first, last;
-    float first_part, last_part;
+    double first_part, last_part;
 };
 
 std::vector<Span> spans(std::size_t source, std::size_t count)
@@ -37,17 +36,17 @@ std::vector<Span> spans(std::size_t source, std::size_t count)
         Span& span = result[i];
         span.first = begin / count;
         span.last = (end - 1) / count;
-        span.first_part = static_cast<float>(std::min((span.first + 1) * count, end) - begin) /
-                          static_cast<float>(count);
-        span.last_part = static_cast<float>(end - span.last * count) / static_cast<float>(count);
+        span.first_part = static_cast<double>(std::min((span.first + 1) * count, end) - begin) /
+                          static_cast<double>(count);
+        span.last_part = static_cast<double>(end - span.last * count) / static_cast<double>(count);
     }
     return result;
 }
 
-float part_of(const Span& span, std::size_t i)
+double part_of(const Span& span, std::size_t i)
 {
     if (i == span.first) return span.first_part;
-    return i == span.last ? span.last_part : 1.0f;
+    return i == span.last ? span.last_part : 1.0;
 }
 
 struct Level {
@@ -62,8 +61,8 @@ Level halved(std::size_t width, std::size_t height, At&& at)
 {
     Level level{std::max<std::size_t>(1, width / 2), std::max<std::size_t>(1, height / 2), {}};
     const std::vector<Span> columns = spans(width, level.width), rows = spans(height, level.height);
-    const float area = static_cast<float>(width) / static_cast<float>(level.width) *
-                       (static_cast<float>(height) / static_cast<float>(level.height));
+    const double area = static_cast<double>(width) / static_cast<double>(level.width) *
+                        (static_cast<double>(height) / static_cast<double>(level.height));
     level.texels.reserve(level.width * level.height);
     for (const Span& row : rows) {
         for (const Span& column : columns) {
@@ -72,7 +71,7 @@ Level halved(std::size_t width, std::size_t height, At&& at)
             for (std::size_t y = row.first; y <= row.last; ++y) {
                 for (std::size_t x = column.first; x <= column.last; ++x) {
                     const Texel texel = at(x, y);
-                    const float part = part_of(row, y) * part_of(column, x);
+                    const double part = part_of(row, y) * part_of(column, x);
                     for (std::size_t c = 0; c < 4; ++c) sum[c] += part * (texel[c] - base[c]);
                 }
             }
@@ -83,15 +82,16 @@ Level halved(std::size_t width, std::size_t height, At&& at)
     return level;
 }
 
-std::uint32_t to_16_bits(float value)
+// To the nearest; the middle, which doubles may miss a little, goes upwards.
+std::uint32_t to_16_bits(double value)
 {
-    return static_cast<std::uint32_t>(std::clamp(value, 0.0f, 1.0f) * 65535.0f + 0.5f);
+    return static_cast<std::uint32_t>(std::clamp(value * 65535 + (0.5 + 1e-6), 0.0, 65535.0));
 }
 
 void keep(MipChain& chain, TexelUse use, const Texel& texel)
 {
     if (use == TexelUse::data) {
-        chain.floats.insert(chain.floats.end(), texel.begin(), texel.end());
+        for (const double c : texel) chain.floats.push_back(static_cast<float>(c));
         return;
     }
     chain.words.push_back(to_16_bits(texel[0]) | to_16_bits(texel[1]) << 16);
@@ -111,13 +111,13 @@ void begin_level(MipChain& chain, std::size_t width, std::size_t height)
 
 MipChain make_mip_chain(const TextureImage& image, TexelUse use)
 {
-    const std::array<float, 256> decoded = decoding_table(use);
+    const std::array<double, 256> decoded = decoding_table(use);
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
     const auto at = [&](std::size_t x, std::size_t y) {
         const auto& texel = image.texels[y * width + x];
-        const float alpha =
-            use == TexelUse::color_with_alpha ? static_cast<float>(texel[3]) / 255.0f : 1.0f;
+        const double alpha =
+            use == TexelUse::color_with_alpha ? static_cast<double>(texel[3]) / 255 : 1;
         return Texel{decoded[texel[0]] * alpha, decoded[texel[1]] * alpha,
                      decoded[texel[2]] * alpha, alpha};
     };
@@ -148,7 +148,7 @@ std::uint64_t mip_chain_bytes(const TextureImage& image)
 {
     const std::uint64_t texels =
         static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-    // The chain, and two levels in floats: half of the image at most where it is one texel high.
+    // The chain, and two levels in doubles: half of the image at most where it is one texel high.
     return texels * 24 + 1024 + texels * 3 / 4 * sizeof(Texel);
 }
 

@@ -61,7 +61,8 @@ TEST(ReferenceShading, VertexColorsAndDecodedTexelsMultiply)
     }
     View view = small_view(1, 1, 1);
     view.exposure = 3;
-    expect_near(small.render(view).pixels[0], {8 * 0.125, 8 * 2 * 10 / 255.0 / 12.92, 0, 1});
+    expect_near(small.render(view).pixels[0],
+                {8 * 0.125, 8 * 2 * in_16_bits(10 / 255.0 / 12.92), 0, 1});
 }
 
 TEST(ReferenceShading, MeshesWithoutCoordinatesAreAtTheOrigin)
@@ -106,7 +107,8 @@ TEST(ReferenceShading, MinifiedTexturesMix)
     material.base_color_texture->sampler = {};
     small.add_papered_wall(material, 0, 1);
     for (const Rgba& pixel : small.render(small_view(3, 3, 4)).pixels) {
-        expect_near(pixel, {0.5, 0.5, 0.5, 1});
+        const double gray = in_16_bits(0.5);
+        expect_near(pixel, {gray, gray, gray, 1});
     }
 }
 
@@ -233,8 +235,8 @@ TEST(ReferenceShading, MetallicRoughnessByHand)
         const double f0 = 0.04 * (1 - m) + c * m;
         return sun * ((1 - f0) * c * (1 - m) + f0 / (4 * a2)) + emission;
     };
-    expect_near(pixel_of(small), {radiance(1, 1, 10 / 255.0 / 12.92), radiance(0.5, 0.5, 0.5),
-                                  radiance(0, 2, 0), 1});
+    expect_near(pixel_of(small), {radiance(1, 1, in_16_bits(10 / 255.0 / 12.92)),
+                                  radiance(0.5, 0.5, 0.5), radiance(0, 2, 0), 1});
     // Smoother than 0.1 nothing is: a^2 = 1e-4.
     small.scene.materials[0] = glossy({1, 1, 1}, 1, 0);
     EXPECT_NEAR(pixel_of(small).r, 1 / (4 * 1e-4), kExact / 1e-4);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -11,6 +12,12 @@
 namespace sheer::reference {
 
 using Bytes4 = std::array<std::uint8_t, 4>;
+
+// A colour as levels keep it (docs/numerics.md, "Mipmaps").
+inline double in_16_bits(double value)
+{
+    return std::floor(value * 65535 + 0.5 + 1e-6) / 65535;
+}
 
 inline TextureImage image_of(int width, int height, const std::vector<Bytes4>& texels)
 {
