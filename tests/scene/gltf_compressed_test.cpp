@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include <meshoptimizer.h>
@@ -124,6 +125,30 @@ TEST(GltfDraco, Faults)
               place + ".attributes.NORMAL: the Draco data has no such attribute");
     EXPECT_EQ(after([](Builder& b) { b.json["meshes"][0]["primitives"][0]["mode"] = 0; }),
               "test.gltf: meshes[0].primitives[0]: Draco meshes must be of triangles");
+}
+
+// One to four of the bytes from `first` on are changed.
+void mutate(Bytes& bytes, std::size_t first, std::mt19937& random)
+{
+    for (std::uint32_t k = 0; k < 1 + random() % 4; ++k) {
+        bytes[first + random() % (bytes.size() - first)] = static_cast<std::uint8_t>(random());
+    }
+}
+
+TEST(GltfDraco, MutatedDataIsReadOrRefused)
+{
+    std::mt19937 random(3);
+    int refused = 0;
+    for (const bool edgebreaker : {false, true}) {
+        const Builder good = draco_file::compressed(draco_file::make_grid(6), edgebreaker);
+        for (int i = 0; i < 2000; ++i) {
+            Builder builder = good;
+            mutate(builder.data, 9, random);  // behind magic number and version
+            refused += fault_of(builder).empty() ? 0 : 1;
+        }
+    }
+    EXPECT_GT(refused, 0);
+    RecordProperty("refused", refused);
 }
 
 // A bufferView of count * stride bytes that stand compressed in another one's place.
@@ -256,6 +281,21 @@ TEST(GltfMeshopt, Faults)
     EXPECT_EQ(after([](Builder&, Json& c) { c["byteLength"] = 40; }),
               place + ": the compressed data is broken");
     EXPECT_EQ(after([](Builder&, Json& c) { c["byteOffset"] = 1 << 20; }).rfind(place, 0), 0u);
+}
+
+TEST(GltfMeshopt, MutatedDataIsReadOrRefused)
+{
+    std::mt19937 random(4);
+    const Builder good = compressed_positions(200);
+    const std::size_t first = 36;  // behind what is not compressed
+    int refused = 0;
+    for (int i = 0; i < 2000; ++i) {
+        Builder builder = good;
+        mutate(builder.data, first, random);
+        refused += fault_of_text(with_fallback(builder)).empty() ? 0 : 1;
+    }
+    EXPECT_GT(refused, 0);
+    RecordProperty("refused", refused);
 }
 
 TEST(GltfMeshopt, PlainDataServesWhereThereIsNoCompression)

@@ -11,6 +11,8 @@
 #include <random>
 #include <sstream>
 
+#include "image/png_file.h"
+
 namespace sheer::test {
 namespace {
 
@@ -189,6 +191,26 @@ Builder sample_document()
         {"indices",
          {{"bufferView", builder.view(std::vector<std::uint8_t>{1})}, {"componentType", 5121}}},
         {"values", {{"bufferView", 0}}}};
+    primitive["targets"] = {{{"POSITION", 0}}};
+    primitive["attributes"]["TEXCOORD_1"] = builder.accessor("VEC2", std::vector<float>(6, 0.5f));
+    primitive["attributes"]["JOINTS_0"] =
+        builder.accessor("VEC4", std::vector<std::uint8_t>(12, 0));
+    primitive["attributes"]["WEIGHTS_0"] = builder.accessor("VEC4", std::vector<float>(12, 1));
+    builder.json["meshes"][1]["weights"] = {0.5};
+    builder.json["nodes"][1]["skin"] = 0;
+    builder.json["skins"] = {{{"joints", {2}}}};
+    builder.json["nodes"][0]["extensions"] = Json::parse(
+        R"({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}},
+            "KHR_lights_punctual": {"light": 0}})");
+    builder.json["extensions"] =
+        Json::parse(R"({"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 2}]}})");
+    builder.json["materials"][0]["emissiveTexture"] =
+        Json::parse(R"({"index": 0, "extensions": {"KHR_texture_transform": {"rotation": 1}}})");
+    builder.json["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}])");
+    builder.json["samplers"] = Json::parse(R"([{"wrapS": 33071, "minFilter": 9987}])");
+    const auto png =
+        png_file::make_png({1, 1, 8, png_file::kRgba, png_file::text_of({0, 1, 2, 3, 4})});
+    builder.json["images"] = {{{"bufferView", builder.view(png)}}};
     return builder;
 }
 
