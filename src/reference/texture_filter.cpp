@@ -152,7 +152,7 @@ Probes choose_probes(const Sampler& sampler, double longer, double shorter)
     const auto count_at = [](double ratio) {
         return static_cast<int>(std::clamp(std::ceil(ratio), 1.0, double{kMostProbes}));
     };
-    // All of 1 and infinity are clamped alike, and 0 / 0 is never used.
+    // A footprint without width has as many probes as there may be, as the longest have.
     const double ratio = shorter > 0 ? longer / shorter : kMostProbes;
     const bool may_be_one = longer <= 1 + kRatioRounding;
     const bool must_be_one = longer < 1 - kRatioRounding;

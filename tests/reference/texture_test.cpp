@@ -252,6 +252,7 @@ TEST(ReferenceTexture, ProbesLieAlongTheLongerSide)
     // white. We look 1/4 of a texel to the left of its middle, and the nearest probes, 1/2 to both
     // sides, are 3/4 and 1/4 away from it: (1/4 + 3/4) / 2 of eight.
     EXPECT_NEAR(at_column(16, 1), 0.0625, kExact);
+    EXPECT_NEAR(at_column(16, 0), 0.0625, kExact);
     // One texel or less is one probe.
     EXPECT_NEAR(at_column(1, 0.1), 1, kExact);
     // Samplers that choose a level, or a texel, take one probe: here of level 2, of whose texel 8,
