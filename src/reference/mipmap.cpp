@@ -133,8 +133,7 @@ bool transmits(const Material& material)
 TexelUse base_color_use(const Material& material)
 {
     const bool all_pass = material.alpha_mode == AlphaMode::mask && material.alpha_cutoff <= 0;
-    const bool alpha_counts =
-        (material.alpha_mode != AlphaMode::opaque && !all_pass) || transmits(material);
+    const bool alpha_counts = material.alpha_mode != AlphaMode::opaque && !all_pass;
     return alpha_counts ? TexelUse::premultiplied_color : TexelUse::opaque_color;
 }
 

@@ -52,8 +52,8 @@ enum Discontinuity : std::uint8_t {
     kProbeCount = 16,           // a visible fragment's texture is read with a number of probes that
                                 // changes within 1e-4 of the ratio of its footprint's sides
     kSteepColor = 32,           // a visible fragment's colour changes by more than a quarter of
-                                // 1e-4 max(1, |C|) when a weight changes by 2^-22 or its unit
-                                // normal by 2^-21: a sharp highlight
+                                // 1e-4 max(1, |C|) when its texture coordinates change by 2^-23 of
+                                // themselves or its unit normal by 2^-21: a sharp highlight
 };
 
 struct Picture {

@@ -22,10 +22,10 @@ constexpr double kCutoffRounding = 1e-6;
 // 1024 texels wide is 6e-5 of a texel, over which alpha may go from 0 to 1.
 constexpr double kTexturedCutoffRounding = 1e-4;
 
-// What floats make of a weight near 1 is known to two units in its last place, of a unit normal
-// after a dozen of operations to four; a quarter of what two pictures may differ by (1e-4) is what
-// such a step may take.
-constexpr double kWeightStep = 0x1p-22;
+// Floats know a texture coordinate near 1, a sum of three terms, to two units in its last place,
+// and a unit normal after a dozen of operations to four. A quarter of what two pictures may differ
+// by (1e-4) is what such a step may take.
+constexpr double kCoordinateStep = 0x1p-23;  // of the coordinate, or of 1 where it is smaller
 constexpr double kNormalStep = 0x1p-21;
 constexpr double kSteepChange = 0.25e-4;
 
@@ -166,12 +166,10 @@ Vec3 tilted(const Vec3& normal, const Vec3& tilt)
 }
 
 // `tilt` is added to the unit normal.
-Surface shade_at(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
-                 const Weights& affine, const Vec3& tilt)
+Surface shade_spot(Spot& spot, const Vec3& tilt)
 {
-    Spot spot = spot_at(shader, chunk, triangle, affine);
     const Material& material = spot.material;
-    const double object_opacity = shader.scene.objects[triangle.object].opacity;
+    const double object_opacity = spot.shader.scene.objects[spot.triangle.object].opacity;
 
     // Read what the material needs, and no more: unread textures have no discontinuities.
     const Base base = base_of(spot);
@@ -185,7 +183,7 @@ Surface shade_at(const Shader& shader, const TriangleChunk& chunk, const Triangl
                                                values) +
                    emission_of(spot);
     }
-    radiance = shader.exposure_scale * radiance;
+    radiance = spot.shader.exposure_scale * radiance;
 
     // What passes the mask is opaque.
     Surface surface;
@@ -230,23 +228,20 @@ bool is_steep(const Surface& surface, const Surface& beside)
 Surface shade(const Shader& shader, const TriangleChunk& chunk, const Triangle& triangle,
               const Weights& affine)
 {
-    Surface surface = shade_at(shader, chunk, triangle, affine, {});
-    const std::uint32_t mesh = shader.scene.objects[triangle.object].mesh;
-    if (shader.scene.materials[shader.scene.meshes[mesh].material].shading !=
-        Shading::metallic_roughness) {
+    Spot spot = spot_at(shader, chunk, triangle, affine);
+    Surface surface = shade_spot(spot, {});
+    if (spot.material.shading != Shading::metallic_roughness) {
         return surface;
     }
-    const auto look_beside = [&](double b1, double b2, const Vec3& tilt) {
-        Weights beside = affine;
-        beside.b[0] -= b1 + b2;
-        beside.b[1] += b1;
-        beside.b[2] += b2;
-        if (is_steep(surface, shade_at(shader, chunk, triangle, beside, tilt))) {
+    const auto look_beside = [&](double u, double v, const Vec3& tilt) {
+        Spot beside = spot_at(shader, chunk, triangle, affine);
+        beside.coordinates_off = {u, v};
+        if (is_steep(surface, shade_spot(beside, tilt))) {
             surface.discontinuities |= kSteepColor;
         }
     };
-    look_beside(kWeightStep, 0, {});
-    look_beside(0, kWeightStep, {});
+    look_beside(kCoordinateStep, 0, {});
+    look_beside(0, kCoordinateStep, {});
     look_beside(0, 0, {kNormalStep, 0, 0});
     look_beside(0, 0, {0, kNormalStep, 0});
     look_beside(0, 0, {0, 0, kNormalStep});

@@ -2,6 +2,9 @@
 // derivatives.
 #include "reference/spot.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <cstddef>
 
 #include "reference/texture_filter.h"
@@ -49,6 +52,7 @@ Texel Spot::read(const std::optional<Texture>& texture, TexelUse use)
         const double at1 = texture_vertices[1].texcoords[texture->set][k];
         const double at2 = texture_vertices[2].texcoords[texture->set][k];
         footprint.at[k] = interpolate(interpolation.at, at0, at1, at2);
+        footprint.at[k] += coordinates_off[k] * std::max(1.0, std::abs(footprint.at[k]));
         footprint.per_x[k] = change_of(interpolation.per_x, at0, at1, at2);
         footprint.per_y[k] = change_of(interpolation.per_y, at0, at1, at2);
     }

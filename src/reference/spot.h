@@ -21,6 +21,8 @@ struct Spot {
     TextureAttributes texture_vertices[3];
     Interpolation interpolation;
     Place place;
+    // Added to texture coordinates, times their size where that is above 1.
+    std::array<double, 2> coordinates_off = {0, 0};
     std::uint8_t discontinuities = 0;  // of what was read so far: kNearestTexel, kProbeCount
 
     // Interpolated, world space: of unit length, or zero (docs/numerics.md, "Normal").

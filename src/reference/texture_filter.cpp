@@ -141,6 +141,9 @@ struct Probes {
     std::uint8_t discontinuities;
 };
 
+// How far beyond a whole ratio another probe is taken: a wall that faces the eye has a ratio of 1.
+constexpr double kBeyond = 1.0 / 64;
+
 // `longer` and `shorter`: texels of level 0 to the next pixel. Both may be 0, which is far below
 // level 0 and one probe.
 Probes choose_probes(const Sampler& sampler, double longer, double shorter)
@@ -150,7 +153,7 @@ Probes choose_probes(const Sampler& sampler, double longer, double shorter)
     }
     const double level = std::log2(std::max(shorter, longer / kMostProbes));
     const auto count_at = [](double ratio) {
-        return static_cast<int>(std::clamp(std::ceil(ratio), 1.0, double{kMostProbes}));
+        return static_cast<int>(std::clamp(std::ceil(ratio - kBeyond), 1.0, double{kMostProbes}));
     };
     // A footprint without width has as many probes as there may be, as the longest have.
     const double ratio = shorter > 0 ? longer / shorter : kMostProbes;

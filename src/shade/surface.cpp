@@ -45,8 +45,8 @@ TexelUse base_color_use(const Material& m)
 {
     // What passes at any alpha has to keep the colour that it has at 0.
     const bool passes = m.alpha_mode == AlphaMode::mask && !(m.alpha_cutoff > 0);
-    const bool opaque = (m.alpha_mode == AlphaMode::opaque || passes) && !(transmission_of(m) > 0);
-    return opaque ? TexelUse::color : TexelUse::color_with_alpha;
+    return m.alpha_mode == AlphaMode::opaque || passes ? TexelUse::color
+                                                       : TexelUse::color_with_alpha;
 }
 
 // Makes each chain that a material needs once.

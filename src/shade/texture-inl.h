@@ -156,8 +156,8 @@ HWY_INLINE Level<L> choose_level(const PreparedTexture& texture, const Footprint
     const real across = L::max(shorter, longer * real(1.0f / kMostProbes));
     const real ratio =
         L::min(longer / L::max(shorter, real(1e-30f)), real(static_cast<float>(kMostProbes)));
-    const real probes = real(0.0f) - L::floor(real(0.0f) - ratio);
-    return {log2<L>(L::max(across, least)), L::select(longer > one, probes, one),
+    const real probes = real(0.0f) - L::floor(real(1.0f / 64) - ratio);
+    return {log2<L>(L::max(across, least)), L::select(longer > one, L::max(probes, one), one),
             L::select(x_is_longer, at.u_x, at.u_y), L::select(x_is_longer, at.v_x, at.v_y)};
 }
 

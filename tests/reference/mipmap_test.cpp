@@ -108,13 +108,14 @@ TEST(ReferenceMipmap, AlphaCountsWhereSomethingIsSeenThrough)
     material.shading = Shading::metallic_roughness;
     EXPECT_EQ(base_color_use(material), TexelUse::opaque_color);
     material.transmission = 0.5f;
-    EXPECT_EQ(base_color_use(material), TexelUse::premultiplied_color);
-    material.shading = Shading::diffuse;  // which transmits nothing
     EXPECT_EQ(base_color_use(material), TexelUse::opaque_color);
     for (const AlphaMode mode : {AlphaMode::mask, AlphaMode::blend}) {
         material.alpha_mode = mode;
         EXPECT_EQ(base_color_use(material), TexelUse::premultiplied_color);
     }
+    material.alpha_mode = AlphaMode::mask;
+    material.alpha_cutoff = 0;  // everything passes
+    EXPECT_EQ(base_color_use(material), TexelUse::opaque_color);
 }
 
 }  // namespace

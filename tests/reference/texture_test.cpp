@@ -311,13 +311,17 @@ TEST(ReferenceTexture, LevelsAndProbesAreUncertainAtTheirSteps)
     const Sampler by_size{Wrap::repeat, Wrap::repeat, TexelFilter::nearest, linear,
                           MipFilter::linear};
     EXPECT_EQ(flags(by_size, 1.00001, 1.00001) & kNearestTexel, kNearestTexel);
-    // The number of probes changes at whole ratios up to seven, and where there is more than one.
+    // The number of probes changes 1/64 beyond whole ratios up to seven, and where there is more
+    // than one.
     const Sampler smooth;
-    EXPECT_EQ(flags(smooth, 3 * (1 + 5e-5) * 2, 2), kProbeCount);
-    EXPECT_EQ(flags(smooth, 3 * (1 - 5e-5) * 2, 2), kProbeCount);
-    EXPECT_EQ(flags(smooth, 2, 2), kProbeCount);
-    EXPECT_EQ(flags(smooth, 7 * 2, 2), kProbeCount);
-    EXPECT_EQ(flags(smooth, 3 * (1 + 2e-4) * 2, 2), 0);
+    const auto beyond = [](int ratio) { return ratio + 1.0 / 64; };
+    EXPECT_EQ(flags(smooth, beyond(3) * (1 + 5e-5) * 2, 2), kProbeCount);
+    EXPECT_EQ(flags(smooth, beyond(3) * (1 - 5e-5) * 2, 2), kProbeCount);
+    EXPECT_EQ(flags(smooth, beyond(1) * 2, 2), kProbeCount);
+    EXPECT_EQ(flags(smooth, beyond(7) * 2, 2), kProbeCount);
+    EXPECT_EQ(flags(smooth, beyond(3) * (1 + 2e-4) * 2, 2), 0);
+    EXPECT_EQ(flags(smooth, 2, 2), 0);
+    EXPECT_EQ(flags(smooth, 3 * 2, 2), 0);
     EXPECT_EQ(flags(smooth, 8 * 2, 2), 0);
     EXPECT_EQ(flags(smooth, 12 * 2, 2), 0);
     EXPECT_EQ(flags(smooth, 0.9, 0.3), 0);
