@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <random>
 
 #include <sheer/sheer.h>
@@ -70,6 +71,25 @@ TEST(Bits, EveryLevelAndAnyNumberOfThreads)
         view.positions = SamplePositions::standard;
         expect_same_bits("builtin:motor", view, method);
         expect_same_bits(SHEER_SOURCE_DIR "/scenes/tea_table.glb", view, method);
+    }
+}
+
+// Textures, reflections, ribbons, glass.
+TEST(Bits, EveryLevelShadesAlike)
+{
+    View view;
+    view.width = 150;
+    view.height = 110;
+    for (const char* source : {"builtin:cloth", "builtin:foliage", "builtin:hair?strands=2000",
+                               "builtin:fence", "builtin:burning-house"}) {
+        expect_same_bits(source, view, "exact");
+    }
+    const char* folder = std::getenv("SHEER_SCENES");
+    if (folder == nullptr) GTEST_SKIP() << "SHEER_SCENES names no folder with real files";
+    for (const char* file :
+         {"ToyCar/ToyCar.glb", "StainedGlassLamp/StainedGlassLamp.glb",
+          "TransmissionTest/TransmissionTest.glb", "LightsPunctualLamp/LightsPunctualLamp.glb"}) {
+        expect_same_bits(std::string(folder) + "/gltf/" + file, view, "exact");
     }
 }
 
