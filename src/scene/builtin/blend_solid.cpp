@@ -105,8 +105,24 @@ struct Net {
         };
         std::uint32_t quad[4] = {at(0, 0), at(1, 0), at(1, 1), at(0, 1)};
         if (a >= 0) std::swap(quad[1], quad[3]);
-        mesh.indices.insert(mesh.indices.end(),
-                            {quad[0], quad[1], quad[2], quad[0], quad[2], quad[3]});
+        // Of the two diagonals the shorter: slivers come of the other.
+        const auto length = [&](std::uint32_t p, std::uint32_t q) {
+            double squared = 0;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double off = mesh.positions[p][c] - mesh.positions[q][c];
+                squared += off * off;
+            }
+            return squared;
+        };
+        const bool first = length(quad[0], quad[2]) <= length(quad[1], quad[3]);
+        const std::uint32_t corners[] = {0, 1, first ? 2u : 3u, first ? 0u : 1u, 2, 3};
+        for (std::size_t t = 0; t < 6; t += 3) {
+            const std::uint32_t p = quad[corners[t]], q = quad[corners[t + 1]];
+            const std::uint32_t r = quad[corners[t + 2]];
+            // Where the surface goes through a point of the grid, cells' vertices coincide.
+            if (length(p, q) == 0 || length(q, r) == 0 || length(r, p) == 0) continue;
+            mesh.indices.insert(mesh.indices.end(), {p, q, r});
+        }
     }
 };
 

@@ -137,7 +137,7 @@ void add_meadow(Scene& scene, double opacity)
     mesh.name = "grass";
     for (std::uint64_t i = 0; i < 620; ++i) {
         Draws draws(82, i);
-        const double z = 7.1 - 4.6 * draws.unit() * draws.unit();
+        const double z = 7.1 - 4.6 * draws.small();
         const double x = 0.6 + (0.5 + 0.62 * (8.2 - z)) * draws.between(-1, 1);
         const Vec off = {x - 0.98, 0, z - 6.75};
         const double open = smooth_step(0.15, 0.55, dot(off, off));  // low before the bottles

@@ -10,7 +10,7 @@
 namespace sheer {
 
 // A sequence for each (kind, item): a strand or a leaf stays the same whatever the number of
-// others.
+// others. Where two draws meet in one expression they stand in braces, which fix their order.
 class Draws {
 public:
     Draws(std::uint32_t kind, std::uint64_t item)
@@ -22,7 +22,19 @@ public:
     double between(double low, double high) { return low + unit() * (high - low); }
     double angle() { return 2 * shapes::kPi * unit(); }
     // The mean of three: most draws fall in the middle of (-1, 1).
-    double bell() { return (unit() + unit() + unit()) / 1.5 - 1; }
+    double bell()
+    {
+        double sum = unit();
+        sum += unit();
+        sum += unit();
+        return sum / 1.5 - 1;
+    }
+    // The product of two: most draws fall near 0.
+    double small()
+    {
+        const double first = unit();
+        return first * unit();
+    }
     shapes::Vec direction()  // evenly over the unit sphere
     {
         const double y = between(-1, 1), phi = angle(), r = std::sqrt(1 - y * y);

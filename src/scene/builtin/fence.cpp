@@ -96,7 +96,7 @@ void add_hedge(Scene& scene)
     sheet.rows = 16;
     sheet.point = [](double u, double v) {
         const double angle = mix(2.6, 0.3, u);
-        const double rough = 1.2 * fractal_noise({160 * u, 7 * v, 1}, 3);
+        const double rough = 1.2 * fractal_noise({80 * u, 4 * v, 1}, 2);
         const double height = 3.6 + 0.9 * noise({60 * u, 0, 7}) + 1.1 * noise({14 * u, 3, 0});
         const double r = 62 + rough;
         return Vec{r * own_cos(angle) + 10, (1 - v) * height, -10 - 0.96 * r * own_sin(angle)};

@@ -134,7 +134,7 @@ Vec bed(Draws& draws)
 {
     const double side = draws.unit() < 0.5 ? -1 : 1;
     const double z = draws.between(-8, 2.6);
-    const double x = side * (1.15 + 5 * draws.unit() * draws.unit());
+    const double x = side * (1.15 + 5 * draws.small());
     return {x, ground_height(x, z), z};
 }
 

@@ -50,7 +50,7 @@ void add_meadow(Scene& scene, double opacity)
     mesh.name = "grass";
     for (int i = 0; i < kTufts; ++i) {
         Draws draws(71, static_cast<std::uint64_t>(i));
-        const double z = -1.1 - 9 * draws.unit() * draws.unit();
+        const double z = -1.1 - 9 * draws.small();
         const double x = (1.2 - 0.55 * z) * draws.between(-1, 1);
         const Vec wind = {0.22 + 0.12 * noise({0.8 * x, 0.8 * z, 9}), 0, 0.05};
         add_grass(mesh, {x, ground_height(x, z) - 0.02, z}, draws.between(0.35, 0.75), 2, wind,

@@ -134,7 +134,8 @@ void add_grass_cards(Scene& scene, int cards, AlphaMode mode)
     for (int i = 0; i < cards; ++i) {
         Draws draws(92, static_cast<std::uint64_t>(i));
         // Most of them near the camera.
-        const double z = 4.1 - 8.5 * draws.unit() * (0.25 + 0.75 * draws.unit());
+        const double away = 0.25 * draws.unit();
+        const double z = 4.1 - 8.5 * (away + 0.75 * draws.small());
         const double x = 0.55 + (1.0 + 0.62 * (5.4 - z)) * draws.between(-1, 1);
         const double gust = 0.55 + 0.35 * noise({0.5 * x, 0.5 * z, 7});
         add_grass(mesh, on_hill(x, z), draws.between(0.26, 0.5), 1, gust * kWind, draws);

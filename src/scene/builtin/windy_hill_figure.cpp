@@ -76,8 +76,8 @@ void add_hair(Scene& scene, const FigureJob& job)
         const Vec wind = {1.0, 0.10 + 0.5 * noise(5.0 * strand.root + Vec{0, 0, 4}), 0.05};
         const Vec flat = wind - dot(wind, out) * out;
         strand.direction = shapes::normalize(0.35 * out + flat + 0.12 * draws.direction());
-        strand.pull =
-            2.0 * wind + Vec{0, -0.75 * draws.between(0.4, 1.3), 0} + 0.35 * draws.direction();
+        const double weight = draws.between(0.4, 1.3);
+        strand.pull = 2.0 * wind + Vec{0, -0.75 * weight, 0} + 0.35 * draws.direction();
         strand.curl = 1.9;
         strand.length = 0.56 * own_pow(draws.between(0.2, 1.1), 0.7);
         strand.segments = kHairSegments;
