@@ -37,6 +37,8 @@ constexpr Golden kGolden[] = {
     {"motor-blend-8", "builtin:motor", "blend", 8, Filter::box},
     {"motor-exact-16-gaussian", "builtin:motor", "exact", 16, Filter::gaussian},
     {"tea-table-exact-8", SHEER_SOURCE_DIR "/scenes/tea_table.glb", "exact", 8, Filter::box},
+    {"cloth-exact-4", "builtin:cloth", "exact", 4, Filter::box},
+    {"burning-house-exact-4", "builtin:burning-house", "exact", 4, Filter::box},
     {"tea-table-blend-4", SHEER_SOURCE_DIR "/scenes/tea_table.glb", "blend", 4, Filter::gaussian},
 };
 
