@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "support/vec3.h"
 
 namespace sheer {
 
@@ -10,46 +13,6 @@ namespace {
 
 // A mitre is at most this much longer than the ribbon is wide.
 constexpr double kMostMitre = 2;
-
-struct Vec3d {
-    double x = 0, y = 0, z = 0;
-};
-
-Vec3d operator+(Vec3d a, Vec3d b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-
-Vec3d operator-(Vec3d a, Vec3d b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-
-Vec3d operator*(double s, Vec3d a)
-{
-    return {s * a.x, s * a.y, s * a.z};
-}
-
-double dot(Vec3d a, Vec3d b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-Vec3d cross(Vec3d a, Vec3d b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-Vec3d normalized(Vec3d a)
-{
-    const double length = std::sqrt(dot(a, a));
-    return length > 0 && std::isfinite(length) ? (1 / length) * a : Vec3d{};
-}
-
-Float3 to_float(Vec3d a)
-{
-    return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
-}
 
 // One mesh on its way.
 class Widener {
@@ -60,19 +23,13 @@ public:
         made_.name = source.name;
         made_.material = source.material;
         for (std::size_t c = 0; c < 3; ++c) {
-            const Vec3d column = {m(c, 0), m(c, 1), m(c, 2)};
-            scale_ = std::max(scale_, std::sqrt(dot(column, column)));
+            scale_ = std::max(scale_, std::sqrt(dot(column(c), column(c))));
         }
     }
 
     Vec3d place(std::uint32_t vertex) const
     {
-        const Float3& p = source_.positions[vertex];
-        const double x = static_cast<double>(p[0]), y = static_cast<double>(p[1]),
-                     z = static_cast<double>(p[2]);
-        return {m(0, 0) * x + m(1, 0) * y + m(2, 0) * z + m(3, 0),
-                m(0, 1) * x + m(1, 1) * y + m(2, 1) * z + m(3, 1),
-                m(0, 2) * x + m(1, 2) * y + m(2, 2) * z + m(3, 2)};
+        return turned(to_vec3d(source_.positions[vertex])) + column(3);
     }
 
     // Towards the eye.
@@ -102,8 +59,8 @@ public:
     // Appends one that has the source vertex's attributes and gives its number.
     std::uint32_t add(std::uint32_t vertex, Vec3d at, Vec3d facing)
     {
-        made_.positions.push_back(to_float(at));
-        made_.normals.push_back(to_float(normal(vertex, facing)));
+        made_.positions.push_back(to_float3(at));
+        made_.normals.push_back(to_float3(normal(vertex, facing)));
         if (!source_.colors.empty()) made_.colors.push_back(source_.colors[vertex]);
         for (std::size_t set = 0; set < 2; ++set) {
             if (!source_.texcoords[set].empty()) {
@@ -122,21 +79,18 @@ public:
     Mesh& made() { return made_; }
 
 private:
-    double m(std::size_t column, std::size_t row) const
+    Vec3d column(std::size_t c) const
     {
-        return static_cast<double>(to_world_[4 * column + row]);
+        return to_vec3d({to_world_[4 * c], to_world_[4 * c + 1], to_world_[4 * c + 2]});
     }
+
+    Vec3d turned(Vec3d a) const { return a.x * column(0) + a.y * column(1) + a.z * column(2); }
 
     // The line's own normal turned as a direction, which is right where nothing is stretched.
     Vec3d normal(std::uint32_t vertex, Vec3d facing) const
     {
         if (source_.normals.empty()) return facing;
-        const Float3& n = source_.normals[vertex];
-        const double x = static_cast<double>(n[0]), y = static_cast<double>(n[1]),
-                     z = static_cast<double>(n[2]);
-        return normalized({m(0, 0) * x + m(1, 0) * y + m(2, 0) * z,
-                           m(0, 1) * x + m(1, 1) * y + m(2, 1) * z,
-                           m(0, 2) * x + m(1, 2) * y + m(2, 2) * z});
+        return normalized(turned(to_vec3d(source_.normals[vertex])));
     }
 
     const Mesh& source_;

@@ -8,7 +8,7 @@
 
 namespace sheer {
 
-// One for each position: at right angles to nothing in particular, unit length, or zero where the
+// One for each position: unit length, or zero where the
 // triangles around have no direction of u. `set`: of texture coordinates, which the mesh has.
 std::vector<Float4> make_tangents(const Mesh& mesh, std::size_t set);
 
