@@ -39,6 +39,7 @@ std::uint64_t hash_of(const Scene& scene)
         hash.add(mesh.positions);
         hash.add(mesh.normals);
         hash.add(mesh.colors);
+        hash.add(mesh.texcoords[0]);
         hash.add(mesh.indices);
         hash.add(&mesh.material, sizeof mesh.material);
     }
@@ -51,6 +52,7 @@ std::uint64_t hash_of(const Scene& scene)
         hash.add(&object.mesh, sizeof object.mesh);
         hash.add(&object.id, sizeof object.id);
     }
+    for (const TextureImage& image : scene.images) hash.add(image.texels);
     for (const Camera& camera : scene.cameras) {
         hash.add(&camera.transform, sizeof camera.transform);
         hash.add(&camera.yfov, sizeof camera.yfov);
@@ -113,12 +115,26 @@ TEST(Builtin, BitsAreTheSameEverywhere)
     EXPECT_EQ(hash_of(make_builtin("quads")), 0x347f1385cfff8dbeu);
     EXPECT_EQ(hash_of(make_builtin("motor")), 0xc42bacefa074c8f5u);
     EXPECT_EQ(hash_of(make_builtin("motor?detail=0.37")), 0x04659965bf1770eau);
+    EXPECT_EQ(hash_of(make_builtin("checker")), 0x1566d9b066f6129au);
+    EXPECT_EQ(hash_of(make_builtin("fence")), 0xc663c27842d1095bu);
+    EXPECT_EQ(hash_of(make_builtin("smoke")), 0xd8d134e3aac99f3bu);
+    EXPECT_EQ(hash_of(make_builtin("smoke?particles=20000")), 0xce001b598995ae96u);
+    EXPECT_EQ(hash_of(make_builtin("cloth")), 0xe923e95ce0aa928cu);
+    EXPECT_EQ(hash_of(make_builtin("hair")), 0xfd9065906aaece09u);
+    EXPECT_EQ(hash_of(make_builtin("foliage")), 0x5d1a2e5fb581f5b8u);
+    EXPECT_EQ(hash_of(make_builtin("tree")), 0x330a50b7172555f0u);
+    EXPECT_EQ(hash_of(make_builtin("grass-and-smoke")), 0x2dcfb503f9570b07u);
+    EXPECT_EQ(hash_of(make_builtin("burning-house")), 0x9d0857602b5a168eu);
+    EXPECT_EQ(hash_of(make_builtin("windy-hill")), 0x125b5e719c19f416u);
 }
 
 TEST(Builtin, NamesWhatExists)
 {
-    EXPECT_EQ(error_of("layer"), "builtin:layer: no such scene; there are layers, quads, motor");
-    EXPECT_EQ(error_of(""), "builtin:: no such scene; there are layers, quads, motor");
+    const std::string all =
+        "layers, quads, motor, checker, fence, smoke, cloth, hair, foliage, tree, "
+        "grass-and-smoke, burning-house, windy-hill";
+    EXPECT_EQ(error_of("layer"), "builtin:layer: no such scene; there are " + all);
+    EXPECT_EQ(error_of(""), "builtin:: no such scene; there are " + all);
     EXPECT_EQ(error_of("quads?layer=3"),
               "builtin:quads: layer: no such parameter; there are layers, split");
 }

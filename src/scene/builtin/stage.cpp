@@ -78,7 +78,7 @@ void add_card(Mesh& mesh, const Card& card)
         mesh.texcoords[0].push_back(
             {u > 0 ? card.to[0] : card.from[0], v > 0 ? card.to[1] : card.from[1]});
     }
-    for (const std::uint32_t i : {0, 3, 2, 0, 2, 1}) mesh.indices.push_back(first + i);
+    for (const std::uint32_t i : {0u, 3u, 2u, 0u, 2u, 1u}) mesh.indices.push_back(first + i);
 }
 
 void add_sheet(Mesh& mesh, const Sheet& sheet)
