@@ -305,12 +305,12 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     Stopwatch total, geometry_time;
     total.start();
     const std::span<const Take> takes = request.takes;
-    require_memory(options.memory_limit, geometry_bytes(scene) + surfaces_bytes(scene));
+    const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+    require_memory(options.memory_limit, geometry_bytes(scene) + texture_bytes(scene, wanted));
     const TargetSet targets = targets_of(options.simd);
     const SampleSet samples = make_sample_set(view.samples, view.positions, request.shift);
     const SampleFilter filter(view.filter, samples);
     const TileGrid grid{view.width, view.height, filter.reach()};
-    const int wanted = options.threads > 0 ? options.threads : hardware_threads();
 
     geometry_time.start();
     const Projection projection = resolve_camera(scene, view);

@@ -107,6 +107,17 @@ void begin_level(MipChain& chain, std::size_t width, std::size_t height)
     ++chain.level_count;
 }
 
+std::size_t texels_of_all_levels(std::size_t width, std::size_t height)
+{
+    std::size_t sum = width * height;
+    while (width > 1 || height > 1) {
+        width = std::max<std::size_t>(1, width / 2);
+        height = std::max<std::size_t>(1, height / 2);
+        sum += width * height;
+    }
+    return sum;
+}
+
 }  // namespace
 
 MipChain make_mip_chain(const TextureImage& image, TexelUse use)
@@ -122,11 +133,10 @@ MipChain make_mip_chain(const TextureImage& image, TexelUse use)
                      decoded[texel[2]] * alpha, alpha};
     };
     MipChain chain;
-    const std::size_t most = width * height + width * height / 2 + 64;
     if (use == TexelUse::data) {
-        chain.floats.reserve(4 * most);
+        chain.floats.reserve(4 * texels_of_all_levels(width, height));
     } else {
-        chain.words.reserve(2 * most);
+        chain.words.reserve(2 * texels_of_all_levels(width, height));
     }
     begin_level(chain, width, height);
     for (std::size_t y = 0; y < height; ++y) {
@@ -144,12 +154,15 @@ MipChain make_mip_chain(const TextureImage& image, TexelUse use)
     }
 }
 
-std::uint64_t mip_chain_bytes(const TextureImage& image)
+MipChainBytes mip_chain_bytes(const TextureImage& image, TexelUse use)
 {
-    const std::uint64_t texels =
-        static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-    // The chain, and two levels in doubles: half of the image at most where it is one texel high.
-    return texels * 24 + 1024 + texels * 3 / 4 * sizeof(Texel);
+    const auto width = static_cast<std::size_t>(image.width);
+    const auto height = static_cast<std::size_t>(image.height);
+    const std::uint64_t texel_bytes =
+        use == TexelUse::data ? 4 * sizeof(float) : 2 * sizeof(std::uint32_t);
+    const std::size_t all = texels_of_all_levels(width, height);
+    // Two of the smaller levels at a time, in doubles.
+    return {all * texel_bytes, (all - width * height) * sizeof(Texel)};
 }
 
 }  // namespace sheer

@@ -33,7 +33,10 @@ struct MipChain {
 
 MipChain make_mip_chain(const TextureImage& image, TexelUse use);
 
-// At most, while a chain is made of such an image.
-std::uint64_t mip_chain_bytes(const TextureImage& image);
+// What an image's chain takes, and what making it takes besides.
+struct MipChainBytes {
+    std::uint64_t kept, making;
+};
+MipChainBytes mip_chain_bytes(const TextureImage& image, TexelUse use);
 
 }  // namespace sheer

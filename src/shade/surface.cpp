@@ -66,6 +66,18 @@ public:
                                texture->transform};
     }
 
+    // Of all that is wanted, made on as many threads at once.
+    std::uint64_t bytes(int threads) const
+    {
+        std::uint64_t kept = 0, making = 0;
+        for (const Wanted& wanted : wanted_) {
+            const MipChainBytes bytes = mip_chain_bytes(scene_.images[wanted.image], wanted.use);
+            kept += bytes.kept;
+            making = std::max(making, bytes.making);
+        }
+        return kept + making * static_cast<std::uint64_t>(threads);
+    }
+
     void make_all(int threads)
     {
         parallel_for(threads, wanted_.size(), [&](std::size_t i, int) {
@@ -110,6 +122,18 @@ MaterialDetail make_detail(const Material& m, float gain, TextureMaker& textures
         detail.transmission_map = textures.prepare(m.transmission_texture, TexelUse::data);
     }
     return detail;
+}
+
+// Of the materials that are used.
+void prepare_details(const Scene& scene, float gain, TextureMaker& textures, FrameSurfaces& result)
+{
+    std::vector<bool> used(scene.materials.size());
+    for (const Object& object : scene.objects) used[scene.meshes[object.mesh].material] = true;
+    result.details.resize(scene.materials.size());
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        const Material& m = scene.materials[i];
+        if (used[i] && needs_detail(scene, m)) result.details[i] = make_detail(m, gain, textures);
+    }
 }
 
 Surface make_surface(const Scene& scene, const Object& object, float gain,
@@ -169,13 +193,7 @@ FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, 
     FrameSurfaces result;
     result.light = make_lighting(scene, gain, eye);
     TextureMaker textures(scene, result);
-    std::vector<bool> used(scene.materials.size());
-    for (const Object& object : scene.objects) used[scene.meshes[object.mesh].material] = true;
-    result.details.resize(scene.materials.size());
-    for (std::size_t i = 0; i < used.size(); ++i) {
-        const Material& m = scene.materials[i];
-        if (used[i] && needs_detail(scene, m)) result.details[i] = make_detail(m, gain, textures);
-    }
+    prepare_details(scene, gain, textures, result);
     textures.make_all(threads);
     result.surfaces.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
@@ -188,12 +206,12 @@ FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, 
     return result;
 }
 
-std::uint64_t surfaces_bytes(const Scene& scene)
+std::uint64_t texture_bytes(const Scene& scene, int threads)
 {
-    // Each image in each use at most.
-    std::uint64_t bytes = 0;
-    for (const TextureImage& image : scene.images) bytes += 3 * mip_chain_bytes(image);
-    return bytes;
+    FrameSurfaces none;
+    TextureMaker textures(scene, none);
+    prepare_details(scene, 1, textures, none);
+    return textures.bytes(threads);
 }
 
 }  // namespace sheer

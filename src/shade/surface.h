@@ -84,7 +84,7 @@ struct FrameSurfaces {
 
 FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads);
 
-// At most, of textures, while make_surfaces runs and after it.
-std::uint64_t surfaces_bytes(const Scene& scene);
+// Of textures, at most: while make_surfaces runs on as many threads.
+std::uint64_t texture_bytes(const Scene& scene, int threads);
 
 }  // namespace sheer
