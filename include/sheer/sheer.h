@@ -1,7 +1,11 @@
 // Everything that Sheer offers to a program.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include <sheer/error.h>
 #include <sheer/image.h>
@@ -10,8 +14,27 @@
 
 namespace sheer {
 
-// Reads a scene. `source` is a file's path (.gltf, .glb), or "builtin:NAME?key=value&key=value".
-// Throws Error with Fault::input when there is no such scene or when it is broken.
-Scene load(const std::string& source);
+// How files are read. The tool's options of the same names set these.
+struct LoadOptions {
+    // Of a glTF file with several scenes: a name, or a number counted from 0. Unset: the file's
+    // choice. Other files and built-in scenes have none to choose from.
+    std::optional<std::string> scene = std::nullopt;
+    // Buffers, images and materials may lie outside of the folder of the file that names them. For
+    // files that one trusts: a scene can then read all that its reader may.
+    bool allow_any_file = false;
+    std::uint64_t most_texels = std::uint64_t{1} << 29;  // of all images: two gibibytes
+};
+
+// Reads a scene. `source` is a file's path (glTF 2.0 as .gltf or .glb, .obj, .ply, .stl, or .tfx,
+// TressFX's hair), or "builtin:NAME?key=value&key=value". Throws Error with Fault::input when there
+// is no such scene or when it is broken.
+Scene load(const std::string& source, const LoadOptions& options = {});
+
+// Sets Object::opacity, in [0, 1], of the objects whose own, mesh's or material's name matches the
+// pattern from end to end: * stands for any text, ? for one character. Returns how many match.
+std::size_t set_opacity(Scene& scene, std::string_view pattern, float opacity);
+
+// Draws as AlphaMode::blend what is AlphaMode::mask: the ground truth of papers on alpha tests.
+void mask_as_blend(Scene& scene);
 
 }  // namespace sheer

@@ -22,11 +22,15 @@ auto with_enough_memory(Work&& work)
     }
 }
 
-Scene load_scene(const std::string& source)
+Scene load_scene(const std::string& source, const LoadOptions& options)
 {
     constexpr std::string_view kBuiltin = "builtin:";
-    if (source.starts_with(kBuiltin)) return make_builtin(source.substr(kBuiltin.size()));
-    Scene scene = read_scene(source);
+    if (source.starts_with(kBuiltin)) {
+        if (!options.scene) return make_builtin(source.substr(kBuiltin.size()));
+        throw Error(Fault::input,
+                    source + ": only glTF files have scenes to choose from by --scene");
+    }
+    Scene scene = read_scene(source, options);
     try {
         check_scene(scene);
     } catch (const Error& error) {
@@ -37,9 +41,9 @@ Scene load_scene(const std::string& source)
 
 }  // namespace
 
-Scene load(const std::string& source)
+Scene load(const std::string& source, const LoadOptions& options)
 {
-    return with_enough_memory([&] { return load_scene(source); });
+    return with_enough_memory([&] { return load_scene(source, options); });
 }
 
 Frame render(const Scene& scene, const View& view, const Options& options)

@@ -11,9 +11,11 @@
 
 #include "cli/commands.h"
 #include "cli/help_text.h"
+#include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/view_options.h"
 #include "methods/method.h"
+#include "scene/transparency.h"
 #include "support/memory.h"
 #include "support/progress.h"
 #include "support/text.h"
@@ -25,7 +27,7 @@ namespace {
 constexpr const char* kBlend = "blend";
 
 struct BenchRequest {
-    std::string scene;
+    SceneOptions scene;
     ViewOptions given;
     std::vector<std::string> methods;
     std::vector<int> samples = {8};
@@ -63,8 +65,7 @@ Contenders choose_contenders(const std::vector<std::string>& methods)
 bool has_opaque(const Scene& scene)
 {
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
-        const Mesh& mesh = scene.meshes[object.mesh];
-        return scene.materials[mesh.material].alpha_mode != AlphaMode::blend;
+        return !is_transparent(scene.materials[scene.meshes[object.mesh].material], object);
     });
 }
 
@@ -95,7 +96,7 @@ void run_bench(BenchRequest request)
         check_view_options(request.given);
     }
     const Contenders contenders = choose_contenders(request.methods);
-    const Scene scene = load(request.scene);
+    const Scene scene = load_scene(request.scene);
 
     std::vector<Turns> all;
     {
@@ -111,11 +112,11 @@ void run_bench(BenchRequest request)
         }
     }
     if (request.json) {
-        print(json_text({{"scene", request.scene}, {"results", bench_rows(all)}}));
+        print(json_text({{"scene", request.scene.source}, {"results", bench_rows(all)}}));
         return;
     }
     const Stats& any = all.front().measurements.front().rounds.front();
-    print(one_line(request.scene) + ": " + std::to_string(any.width) + "x" +
+    print(one_line(request.scene.source) + ": " + std::to_string(any.width) + "x" +
           std::to_string(any.height) + ", " + counted(any.triangles, "triangle") + ", " +
           counted(any.fragments, "fragment") + ", medians of " +
           counted(static_cast<std::uint64_t>(request.repeat), "round") + "\n\n" + bench_table(all));
@@ -130,9 +131,7 @@ std::vector<std::string> all_methods()
 
 void add_own_options(CLI::App& command, BenchRequest& request)
 {
-    command.add_option("SCENE", request.scene, "A file, or builtin:NAME")
-        ->required()
-        ->option_text(" ");
+    add_scene_options(command, request.scene);
     add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
               [&request](auto&, auto& text) { request.methods = split(text, ','); });
     add_samples_list(command, request.samples);
@@ -159,12 +158,14 @@ void add_bench_command(CLI::App& tool)
     const auto request = std::make_shared<BenchRequest>();
     request->methods = all_methods();
     add_own_options(*command, *request);
+    add_override_options(*command, request->scene);
     add_view_options(*command, request->given);
     const std::string examples =
         examples_help({"sheer bench builtin:motor",
                        "sheer bench builtin:motor --size 500x500 --samples 1,8,64 --threads 1",
                        "sheer bench builtin:motor --methods none,blend,exact --repeat 21 --json",
-                       "sheer bench scene.glb --methods exact --simd avx2"});
+                       "sheer bench scene.glb --methods exact --simd avx2",
+                       "sheer bench scan.ply --opacity 0.5 --samples 4"});
     command->footer(std::string(kMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
                     scenes_help());
     command->callback([request] { run_bench(*request); });

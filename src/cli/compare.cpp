@@ -12,6 +12,7 @@
 #include "cli/help_text.h"
 #include "cli/metrics_report.h"
 #include "cli/output.h"
+#include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/view_options.h"
 #include "compare/comparison.h"
@@ -29,7 +30,7 @@ namespace sheer {
 namespace {
 
 struct CompareRequest {
-    std::string scene;
+    SceneOptions scene;
     std::string folder;
     ViewOptions given;
     std::vector<std::string> methods;
@@ -180,7 +181,7 @@ void run_compare(CompareRequest request)
 {
     check_request(request);
     drop_repeated(request);
-    const Scene scene = load(request.scene);
+    const Scene scene = load_scene(request.scene);
     check_memory(request.given.options);
     make_folder(request.folder);
     check_folder(request);
@@ -190,7 +191,7 @@ void run_compare(CompareRequest request)
     std::vector<MetricsRow> rows;
     for (const Compared& c : result.all) rows.push_back({c, file_stem(c)});
     Json json = {
-        {"scene", request.scene},
+        {"scene", request.scene.source},
         {"truth", {{"image", "truth.exr"}, {"samples", truth_samples(request.given.view)}}},
         {"error_map_scale", scale},
         {"results", metrics_json(rows)}};
@@ -214,9 +215,7 @@ std::vector<std::string> all_methods()
 
 void add_own_options(CLI::App& command, CompareRequest& request)
 {
-    command.add_option("SCENE", request.scene, "A file, or builtin:NAME")
-        ->required()
-        ->option_text(" ");
+    add_scene_options(command, request.scene);
     add_value(command, "-o,--output", "DIR", "A folder for the results, made if missing; required",
               [&request](auto&, auto& text) { request.folder = text; })
         ->required();
@@ -254,10 +253,12 @@ void add_compare_command(CLI::App& tool)
     const auto request = std::make_shared<CompareRequest>();
     request->methods = all_methods();
     add_own_options(*command, *request);
+    add_override_options(*command, request->scene);
     add_view_options(*command, request->given);
     const std::string examples = examples_help(
         {"sheer compare builtin:motor -o motor", "sheer compare scene.glb --samples 4,8,16 -o out",
-         "sheer compare scene.glb --methods wboit,stochastic:masks=naive --seeds 32 -o out"});
+         "sheer compare scene.glb --methods wboit,stochastic:masks=naive --seeds 32 -o out",
+         "sheer compare scene.glb -o out --opacity 'Glass*=0.5' --mask-as-blend"});
     command->footer(std::string(kMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
                     scenes_help());
     command->callback([request] { run_compare(*request); });

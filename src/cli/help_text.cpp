@@ -17,8 +17,12 @@ std::string examples_help(const std::vector<std::string>& commands)
 std::string scenes_help()
 {
     std::string text =
-        "Scenes: a file (.gltf, .glb), or builtin:NAME?KEY=VALUE&KEY=VALUE, with these keys and\n"
-        "defaults (put quotes around it: '&' and ';' mean something to a shell):\n";
+        "Scenes: a file, or builtin:NAME?KEY=VALUE&KEY=VALUE. Files may be glTF 2.0 (.gltf, "
+        ".glb),\n"
+        "Wavefront OBJ with MTL (.obj), PLY (.ply), STL (.stl) or TressFX hair (.tfx). Built in "
+        "are\n"
+        "these, with their keys and defaults (put quotes around: '&' and ';' mean something to a\n"
+        "shell):\n";
     for (const BuiltinScene& scene : builtin_scenes()) {
         text += "  builtin:" + std::string(scene.name) + "  " + scene.what + "\n      " +
                 scene.parameters + "\n";

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <numeric>
 
 #include <sheer/sheer.h>
 
@@ -9,6 +10,8 @@
 #include "cli/commands.h"
 #include "cli/help_text.h"
 #include "cli/output.h"
+#include "cli/scene_options.h"
+#include "scene/transparency.h"
 
 namespace sheer {
 
@@ -16,16 +19,34 @@ namespace {
 
 using Point = std::array<double, 3>;
 
-constexpr std::array<const char*, 3> kAlphaModes = {"opaque", "mask", "blend"};
+template <std::size_t N>
+using Names = std::array<const char*, N>;  // of an enumeration's values, in their order
 
+constexpr Names<3> kAlphaModes = {"opaque", "mask", "blend"};
+constexpr Names<3> kLightKinds = {"directional", "point", "spot"};
+
+template <std::size_t N>
+using Counts = std::array<std::uint64_t, N>;
+
+// Of objects, so that a mesh counts as often as it is drawn, but for the vertices of meshes.
 struct SceneCounts {
-    std::array<std::uint64_t, kAlphaModes.size()> materials{}, triangles{};  // by alpha mode
-    std::uint64_t vertices = 0;
+    Counts<3> materials{}, triangles{};                      // by alpha mode
+    std::uint64_t glass_materials = 0, glass_triangles = 0;  // in any mode
+    Counts<3> lights{};                                      // by kind
+    std::uint64_t vertices = 0, mesh_triangles = 0;
+    std::uint64_t lines = 0, points = 0;  // pieces of lines
+    std::uint64_t texels = 0;
     bool bounded = false;
     Point low{}, high{};  // of what is submitted, world space
-
-    std::uint64_t all_triangles() const { return triangles[0] + triangles[1] + triangles[2]; }
 };
+
+constexpr std::uint64_t kBytesPerTexel = sizeof(TextureImage::texels[0]);
+
+template <std::size_t N>
+std::uint64_t sum(const Counts<N>& counts)
+{
+    return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+}
 
 void extend_bounds(SceneCounts& counts, const Mesh& mesh, const Mat4& m)
 {
@@ -41,27 +62,56 @@ void extend_bounds(SceneCounts& counts, const Mesh& mesh, const Mat4& m)
     }
 }
 
+std::uint64_t triangles_of(const Mesh& mesh)
+{
+    return mesh.topology == Topology::triangles ? mesh.indices.size() / 3 : 0;
+}
+
+void count_object(SceneCounts& counts, const Mesh& mesh, const Material& material)
+{
+    const std::uint64_t triangles = triangles_of(mesh);
+    counts.triangles[static_cast<std::size_t>(material.alpha_mode)] += triangles;
+    if (is_glass(material)) counts.glass_triangles += triangles;
+    if (mesh.topology == Topology::lines) counts.lines += mesh.indices.size() / 2;
+    if (mesh.topology == Topology::points) counts.points += mesh.indices.size();
+}
+
 SceneCounts count_scene(const Scene& scene)
 {
     SceneCounts counts;
     for (const Material& material : scene.materials) {
         ++counts.materials[static_cast<std::size_t>(material.alpha_mode)];
+        if (is_glass(material)) ++counts.glass_materials;
     }
-    for (const Mesh& mesh : scene.meshes) counts.vertices += mesh.positions.size();
+    for (const Light& light : scene.lights) ++counts.lights[static_cast<std::size_t>(light.kind)];
+    for (const TextureImage& image : scene.images) counts.texels += image.texels.size();
+    for (const Mesh& mesh : scene.meshes) {
+        counts.vertices += mesh.positions.size();
+        counts.mesh_triangles += triangles_of(mesh);
+    }
     for (const Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[object.mesh];
-        const AlphaMode mode = scene.materials[mesh.material].alpha_mode;
-        counts.triangles[static_cast<std::size_t>(mode)] += mesh.indices.size() / 3;
+        count_object(counts, mesh, scene.materials[mesh.material]);
         extend_bounds(counts, mesh, object.transform);
     }
     return counts;
 }
 
-Json by_alpha_mode(const std::array<std::uint64_t, kAlphaModes.size()>& counts)
+template <std::size_t N>
+Json by_name(const Counts<N>& counts, const Names<N>& names)
 {
     Json json;
-    for (std::size_t i = 0; i < kAlphaModes.size(); ++i) json[kAlphaModes[i]] = counts[i];
+    for (std::size_t i = 0; i < N; ++i) json[names[i]] = counts[i];
     return json;
+}
+
+Json images_json(const Scene& scene)
+{
+    Json images = Json::array();
+    for (const TextureImage& image : scene.images) {
+        images.push_back({{"name", image.name}, {"width", image.width}, {"height", image.height}});
+    }
+    return images;
 }
 
 Json info_json(const std::string& name, const Scene& scene)
@@ -78,23 +128,54 @@ Json info_json(const std::string& name, const Scene& scene)
             {"objects", scene.objects.size()},
             {"meshes", scene.meshes.size()},
             {"vertices", counts.vertices},
-            {"triangles", counts.all_triangles()},
-            {"triangles_by_alpha_mode", by_alpha_mode(counts.triangles)},
+            {"mesh_triangles", counts.mesh_triangles},
+            {"triangles", sum(counts.triangles)},
+            {"triangles_by_alpha_mode", by_name(counts.triangles, kAlphaModes)},
+            {"glass_triangles", counts.glass_triangles},
+            {"lines", counts.lines},
+            {"points", counts.points},
             {"materials", scene.materials.size()},
-            {"materials_by_alpha_mode", by_alpha_mode(counts.materials)},
+            {"materials_by_alpha_mode", by_name(counts.materials, kAlphaModes)},
+            {"glass_materials", counts.glass_materials},
+            {"textures", images_json(scene)},
+            {"texture_bytes", counts.texels * kBytesPerTexel},
+            {"lights", by_name(counts.lights, kLightKinds)},
             {"cameras", cameras},
             {"bounds", bounds},
             {"ignored", scene.ignored}};
 }
 
-std::string mode_list(const std::array<std::uint64_t, kAlphaModes.size()>& counts)
+// "3 (1 opaque, 2 blend)"; what is also glass stands behind it.
+template <std::size_t N>
+std::string sum_text(const Counts<N>& counts, const Names<N>& names, std::uint64_t glass = 0)
 {
     std::string text;
-    for (std::size_t i = 0; i < kAlphaModes.size(); ++i) {
+    for (std::size_t i = 0; i < N; ++i) {
         if (counts[i] == 0) continue;
-        text += (text.empty() ? " (" : ", ") + with_commas(counts[i]) + " " + kAlphaModes[i];
+        text += (text.empty() ? " (" : ", ") + with_commas(counts[i]) + " " + names[i];
     }
-    return text.empty() ? "" : text + ")";
+    if (!text.empty()) text += ")";
+    if (glass > 0) text += ", " + with_commas(glass) + " of them coloured glass";
+    return with_commas(sum(counts)) + text;
+}
+
+std::string size_text(const TextureImage& image)
+{
+    return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+std::string textures_text(const Scene& scene, const SceneCounts& counts)
+{
+    if (scene.images.empty()) return "none";
+    const auto [least, most] = std::minmax_element(
+        scene.images.begin(), scene.images.end(), [](const TextureImage& a, const TextureImage& b) {
+            return a.texels.size() < b.texels.size();
+        });
+    const std::string range = size_text(*least) == size_text(*most)
+                                  ? size_text(*least)
+                                  : size_text(*least) + " to " + size_text(*most);
+    return counted(scene.images.size(), "image") + " of " + range + ", " +
+           counted(counts.texels * kBytesPerTexel, "byte");
 }
 
 std::string point_text(const Point& p)
@@ -118,14 +199,19 @@ std::string info_text(const std::string& name, const Scene& scene)
     const SceneCounts counts = count_scene(scene);
     TextTable table{.left = 2, .last_is_prose = true, .rows = {}};
     table.rows = {
+        {"meshes", with_commas(scene.meshes.size()) + " (" + with_commas(counts.vertices) +
+                       " vertices, " + counted(counts.mesh_triangles, "triangle") + ")"},
         {"objects", with_commas(scene.objects.size())},
-        {"meshes", with_commas(scene.meshes.size())},
-        {"vertices", with_commas(counts.vertices)},
-        {"triangles", with_commas(counts.all_triangles()) + mode_list(counts.triangles)},
-        {"materials", with_commas(scene.materials.size()) + mode_list(counts.materials)},
+        {"triangles", sum_text(counts.triangles, kAlphaModes, counts.glass_triangles)},
+        {"lines", with_commas(counts.lines)},
+        {"points", with_commas(counts.points)},
+        {"materials", sum_text(counts.materials, kAlphaModes, counts.glass_materials)},
+        {"textures", textures_text(scene, counts)},
+        {"lights",
+         scene.lights.empty() ? "none: a sun and a sky" : sum_text(counts.lights, kLightKinds)},
         {"cameras", cameras_text(scene)},
         {"bounds", counts.bounded ? point_text(counts.low) + " to " + point_text(counts.high)
-                                  : "none: there are no triangles"},
+                                  : "none: there is nothing to draw"},
         {"ignored", scene.ignored.empty() ? "nothing" : ""},
     };
     std::string text = one_line(name) + "\n" + table.text();
@@ -134,16 +220,16 @@ std::string info_text(const std::string& name, const Scene& scene)
 }
 
 struct InfoRequest {
-    std::string scene;
+    SceneOptions scene;
     bool json = false;
 };
 
 void run_info(const InfoRequest& request)
 {
-    const Scene scene = load(request.scene);
+    const Scene scene = load_scene(request.scene);
     check_scene(scene);
-    print(request.json ? json_text(info_json(request.scene, scene))
-                       : info_text(request.scene, scene));
+    const std::string& name = request.scene.source;
+    print(request.json ? json_text(info_json(name, scene)) : info_text(name, scene));
 }
 
 }  // namespace
@@ -152,11 +238,10 @@ void add_info_command(CLI::App& tool)
 {
     CLI::App* command = tool.add_subcommand("info", "Say what a scene holds and what is ignored");
     const auto request = std::make_shared<InfoRequest>();
-    command->add_option("SCENE", request->scene, "A file, or builtin:NAME")
-        ->required()
-        ->option_text(" ");
+    add_scene_options(*command, request->scene);
     command->add_flag("--json", request->json, "For programs")->disable_flag_override();
     command->footer(examples_help({"sheer info builtin:motor", "sheer info scene.glb --json",
+                                   "sheer info variants.gltf --scene 1", "sheer info scan.ply",
                                    "sheer info 'builtin:layers?n=8'"}) +
                     "\n" + scenes_help());
     command->callback([request] { run_info(*request); });

@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/help_text.h"
+#include "cli/scene_options.h"
 #include "cli/stats_json.h"
 #include "cli/values.h"
 #include "cli/view_options.h"
@@ -24,7 +25,7 @@ namespace sheer {
 namespace {
 
 struct RenderRequest {
-    std::string scene;
+    SceneOptions scene;
     std::string output;
     std::string stats;
     std::string channels;
@@ -84,7 +85,7 @@ Frame render_with_progress(const Scene& scene, const RenderRequest& request)
 void run_render(const RenderRequest& request)
 {
     check_request(request);
-    const Scene scene = load(request.scene);
+    const Scene scene = load_scene(request.scene);
     check_memory(request.given.options);
     Frame frame = render_with_progress(scene, request);
     write_image(request.output, frame.image);
@@ -105,9 +106,7 @@ void run_render(const RenderRequest& request)
 void add_own_options(CLI::App& command, RenderRequest& request)
 {
     Options& options = request.given.options;
-    command.add_option("SCENE", request.scene, "A file, or builtin:NAME")
-        ->required()
-        ->option_text(" ");
+    add_scene_options(command, request.scene);
     add_value(command, "-o,--output", "FILE", "The picture, .exr (linear) or .png (sRGB); required",
               [&request](auto&, auto& text) { request.output = text; })
         ->required();
@@ -143,6 +142,7 @@ void add_render_command(CLI::App& tool)
     CLI::App* command = tool.add_subcommand("render", "Draw a picture of a scene");
     const auto request = std::make_shared<RenderRequest>();
     add_own_options(*command, *request);
+    add_override_options(*command, request->scene);
     add_view_options(*command, request->given);
     const std::string examples = examples_help(
         {"sheer render builtin:motor -o motor.png",
@@ -151,7 +151,10 @@ void add_render_command(CLI::App& tool)
          "sheer render builtin:quads -o quads.png --filter gaussian --stats quads.json",
          "sheer render builtin:motor -o noisy.exr --method stochastic --seed 7 --accumulate 16",
          "sheer render builtin:motor -o motor.exr --channels channels.exr --memory-limit 512",
-         "sheer render builtin:motor -o side.png --eye 5,3,6 --target 1,0,0 --fov 40"});
+         "sheer render builtin:motor -o side.png --eye 5,3,6 --target 1,0,0 --fov 40",
+         "sheer render car.glb -o xray.png --opacity 0.3 --opacity 'Engine*=1'",
+         "sheer render tree.obj -o tree.png --mask-as-blend --allow-any-file",
+         "sheer render variants.gltf -o second.png --scene 1"});
     command->footer(examples + "\n" + methods_help() + "\n" + scenes_help());
     command->callback([request] { run_render(*request); });
 }

@@ -31,7 +31,8 @@ TextureImage read_within(Reader& reader, const TextureLimits& limits)
         reader.refuse("larger than " + std::to_string(most) + " texels");
     }
     if (width * height > limits.most_texels) {
-        reader.refuse("more than " + std::to_string(limits.most_texels) + " texels in all");
+        reader.refuse("more than " + std::to_string(limits.most_texels) +
+                      " texels, which is what --most-texels leaves");
     }
     TextureImage image;
     image.width = static_cast<int>(width);

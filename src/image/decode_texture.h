@@ -12,7 +12,7 @@ namespace sheer {
 // What is refused before memory is asked for.
 struct TextureLimits {
     int most_size = kMaxImageSize;           // texels, of the width and of the height
-    std::uint64_t most_texels = 1ull << 28;  // a gibibyte
+    std::uint64_t most_texels = 1ull << 28;  // a gibibyte: the largest of these
 };
 
 // True of what begins as PNG and JPEG files do.

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include <sheer/scene.h>
+#include <sheer/sheer.h>
 
 #include "support/read_file.h"
 
@@ -17,11 +17,12 @@ namespace sheer {
 // file of nothing but vertices is points. Colours behind a position count as sRGB. Free-form
 // surfaces are not drawn.
 //
-// Materials and PNG and JPEG images are read where they lie below the OBJ file's folder; what is
-// not there is told in Scene::ignored. Materials are Shading::metallic_roughness, seen from both
-// sides, and AlphaMode::blend where d < 1 or an image has alpha between 0 and 255, AlphaMode::mask
-// where an image's alphas are 0 and 255 only. Throws Error with Fault::input, "<path>: line <n>:
-// <what>".
+// Materials and PNG and JPEG images are read where they lie below the OBJ file's folder, or, if
+// that is allowed, anywhere; what is not there is told in Scene::ignored. Materials are
+// Shading::metallic_roughness, seen from both sides, and AlphaMode::blend where d < 1 or an image
+// has alpha between 0 and 255, AlphaMode::mask where an image's alphas are 0 and 255 only. Throws
+// Error with Fault::input, "<path>: line <n>: <what>".
+Scene read_obj(const std::string& path, const Bytes& content, const LoadOptions& options);
 Scene read_obj(const std::string& path, const Bytes& content);
 
 }  // namespace sheer

@@ -43,29 +43,37 @@ bool is_unmarked(const Bytes&)
     return false;
 }
 
-Scene read_gltf_content(const std::string& path, Bytes content)
+// Only glTF has several scenes in a file.
+void refuse_choice(const std::string& path, const LoadOptions& options)
 {
-    return read_gltf(path, std::move(content));
+    if (options.scene) fail_in_file(path, "only glTF files have scenes to choose from by --scene");
+}
+
+Scene read_obj_file(const std::string& path, Bytes content, const LoadOptions& options)
+{
+    refuse_choice(path, options);
+    return read_obj(path, content, options);
 }
 
 template <Scene read(const std::string&, const Bytes&)>
-Scene read_content(const std::string& path, Bytes content)
+Scene read_lone_file(const std::string& path, Bytes content, const LoadOptions& options)
 {
+    refuse_choice(path, options);
     return read(path, content);
 }
 
 struct Format {
     std::string_view suffix;
     bool (*is)(const Bytes& content);
-    Scene (*read)(const std::string& path, Bytes content);
+    Scene (*read)(const std::string& path, Bytes content, const LoadOptions& options);
 };
 
-constexpr std::array<Format, 6> kFormats = {{{".glb", is_glb, read_gltf_content},
-                                             {".gltf", is_json, read_gltf_content},
-                                             {".ply", is_ply, read_content<read_ply>},
-                                             {".stl", is_binary_stl, read_content<read_stl>},
-                                             {".obj", is_unmarked, read_content<read_obj>},
-                                             {".tfx", is_unmarked, read_content<read_tfx>}}};
+constexpr std::array<Format, 6> kFormats = {{{".glb", is_glb, read_gltf},
+                                             {".gltf", is_json, read_gltf},
+                                             {".ply", is_ply, read_lone_file<read_ply>},
+                                             {".stl", is_binary_stl, read_lone_file<read_stl>},
+                                             {".obj", is_unmarked, read_obj_file},
+                                             {".tfx", is_unmarked, read_lone_file<read_tfx>}}};
 
 std::string suffix_of(const std::string& path)
 {
@@ -90,11 +98,11 @@ const Format& format_of(const std::string& path, const Bytes& content)
 
 }  // namespace
 
-Scene read_scene(const std::string& path)
+Scene read_scene(const std::string& path, const LoadOptions& options)
 {
     try {
         Bytes content = read_file(path);
-        return format_of(path, content).read(path, std::move(content));
+        return format_of(path, content).read(path, std::move(content), options);
     } catch (const std::bad_alloc&) {
         throw Error(Fault::work, path + ": there is not enough memory to read it");
     }

@@ -212,6 +212,37 @@ TEST(Mtl, NothingOutsideOfTheFolderIsRead)
     EXPECT_EQ(scene.materials[0].shading, Shading::metallic_roughness);
 }
 
+TEST(Mtl, FilesOutsideOfTheFolderMayBeAllowed)
+{
+    const Scenery scenery;
+    const LoadOptions anywhere{.allow_any_file = true};
+    scenery.write_png("a.png", {kOpaque});
+    scenery.write("inner/b.obj", "mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+    const std::string path = scenery.path() + "/inner/b.obj";
+    for (const std::string image : {scenery.path() + "/a.png", std::string("..\\a.png")}) {
+        scenery.write("a.mtl", "newmtl m\nmap_Kd " + image + "\n");
+        const Scene scene = read_obj(path, read_file(path), anywhere);
+        EXPECT_TRUE(scene.ignored.empty());
+        EXPECT_EQ(scene.images.size(), 1u);
+    }
+}
+
+TEST(Mtl, TexelsAreBounded)
+{
+    const Scenery scenery;
+    scenery.write_png("a.png", {kOpaque, kOpaque});
+    scenery.write_png("b.png", {kOpaque});
+    scenery.write("a.mtl", "newmtl m\nmap_Kd a.png\nmap_Ke b.png\n");
+    scenery.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
+    const std::string path = scenery.path() + "/a.obj";
+    const auto read = [&](std::uint64_t most) {
+        return read_obj(path, read_file(path), {.most_texels = most});
+    };
+    EXPECT_EQ(read(3).images.size(), 2u);
+    EXPECT_THROW(read(2), Error);
+    EXPECT_THROW(read(1), Error);
+}
+
 TEST(Mtl, LibrariesOfEveryName)
 {
     const Scenery scenery;

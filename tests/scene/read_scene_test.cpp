@@ -67,6 +67,25 @@ TEST(ReadScene, ElseTheSuffixDoes)
     EXPECT_EQ(said_of("/no/such/file.obj"), "no such file");
 }
 
+TEST(ReadScene, OnlyGltfHasScenesToChooseFrom)
+{
+    const TestFolder folder;
+    const auto fault = [&](const std::string& name, const std::string& content) -> std::string {
+        std::ofstream(folder.file(name), std::ios::binary) << content;
+        try {
+            read_scene(folder.file(name), {.scene = "0"});
+        } catch (const Error& error) {
+            return std::string(error.what()).substr(folder.file(name).size());
+        }
+        return "";
+    };
+    const std::string refusal = ": only glTF files have scenes to choose from by --scene";
+    EXPECT_EQ(fault("a.gltf", R"({"asset": {"version": "2.0"}, "scenes": [{}]})"), "");
+    EXPECT_EQ(fault("a.ply", kPly), refusal);
+    EXPECT_EQ(fault("a.obj", "v 0 0 0\n"), refusal);
+    EXPECT_EQ(fault("a.stl", kTextStl), refusal);
+}
+
 struct Counts {
     std::size_t triangles = 0, pieces = 0, points = 0;  // pieces of lines
     bool operator==(const Counts&) const = default;

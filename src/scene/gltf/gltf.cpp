@@ -24,7 +24,7 @@ namespace sheer {
 
 namespace {
 
-Scene read_document(const std::string& path, Bytes content, const GltfOptions& options)
+Scene read_document(const std::string& path, Bytes content, const LoadOptions& options)
 {
     gltf::Import import{.document = gltf::Document(path, std::move(content)), .options = options};
     check_asset(import.document);
@@ -41,12 +41,12 @@ Scene read_document(const std::string& path, Bytes content, const GltfOptions& o
 
 }  // namespace
 
-Scene read_gltf(const std::string& path, const GltfOptions& options)
+Scene read_gltf(const std::string& path, const LoadOptions& options)
 {
     return read_gltf(path, read_file(path), options);
 }
 
-Scene read_gltf(const std::string& path, Bytes content, const GltfOptions& options)
+Scene read_gltf(const std::string& path, Bytes content, const LoadOptions& options)
 {
     try {
         return read_document(path, std::move(content), options);

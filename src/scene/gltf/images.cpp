@@ -3,7 +3,6 @@
 
 #include "scene/gltf/images.h"
 
-#include <algorithm>
 #include <map>
 
 #include "image/decode_texture.h"
@@ -24,8 +23,7 @@ constexpr std::size_t kMaxName = 128;
 
 TextureImage decode(Import& import, const Value& image, std::span<const std::uint8_t> bytes)
 {
-    TextureLimits limits = import.options.each_image;
-    limits.most_texels = std::min(limits.most_texels, import.options.most_texels - import.texels);
+    const TextureLimits limits{.most_texels = import.options.most_texels - import.texels};
     const std::string what = import.document.path() + ": " + image.where();
     TextureImage decoded = decode_texture(what, bytes, limits);
     import.texels += decoded.texels.size();
@@ -50,7 +48,7 @@ std::optional<TextureImage> load(Import& import, const Value& image)
         bytes = own;
     } else {
         own = read_referenced_file(
-            *uri, path_of_uri(*uri, import.document.path(), import.options.files_anywhere));
+            *uri, path_of_uri(*uri, import.document.path(), import.options.allow_any_file));
         bytes = own;
         if (name.empty()) name = in_one_line(uri->text(), kMaxName);
     }

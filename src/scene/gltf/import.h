@@ -17,8 +17,8 @@ namespace sheer::gltf {
 
 struct Import {
     Document document;
-    GltfOptions options = {};
-    Buffers buffers{options.files_anywhere};
+    LoadOptions options = {};
+    Buffers buffers{options.allow_any_file};
     Notes notes = {};
     // Elements read so far, in all and of accessors that have no data in the file: a few bytes can
     // ask for any number of them.

@@ -140,7 +140,8 @@ std::string path_of_uri(const Value& uri, const std::string& base, bool anywhere
         !fs::exists(as_decoded, ignored) && fs::exists(as_written, ignored);
     const fs::path& path = only_as_written ? as_written : as_decoded;
     if (!anywhere && !lies_below(folder, path)) {
-        uri.fail("\"" + in_one_line(text, 80) + "\" is outside of the scene's folder");
+        uri.fail("\"" + in_one_line(text, 80) +
+                 "\" is outside of the scene's folder (--allow-any-file lets it be read)");
     }
     return path.string();
 }

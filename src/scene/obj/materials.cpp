@@ -14,8 +14,6 @@ namespace sheer::obj {
 
 namespace {
 
-constexpr std::uint64_t kMostTexels = 1ull << 29;  // of all images: two gibibytes
-
 constexpr float kBrightest = 1e6f;  // what scenes may hold
 
 bool is_black(const Float3& color)
@@ -49,23 +47,28 @@ std::uint32_t opacity_at(const TextureImage& image, bool in_alpha, std::size_t i
 
 }  // namespace
 
-std::optional<std::string> find_below(const std::string& base, std::string name)
+std::optional<std::string> find_file(const std::string& base, std::string name, bool anywhere)
 {
     namespace fs = std::filesystem;
     if (name.find('\0') != std::string::npos) return std::nullopt;
     std::replace(name.begin(), name.end(), '\\', '/');
     const fs::path folder = fs::path(base).parent_path();
     const fs::path whole = fs::path(name).lexically_normal();
-    for (const fs::path& below : {whole, whole.filename()}) {
-        if (below.empty() || below.is_absolute() || *below.begin() == "..") continue;
+    for (const fs::path& path : {whole, whole.filename()}) {
+        if (path.empty()) continue;
+        if (!anywhere && (path.is_absolute() || *path.begin() == "..")) continue;
         std::error_code ignored;
-        if (fs::is_regular_file(folder / below, ignored)) return (folder / below).string();
+        if (fs::is_regular_file(folder / path, ignored)) return (folder / path).string();
     }
     return std::nullopt;
 }
 
-Materials::Materials(std::string base, Scene& scene, gltf::Notes& notes)
-    : base_(std::move(base)), scene_(scene), notes_(notes), texels_left_(kMostTexels)
+Materials::Materials(std::string base, const LoadOptions& options, Scene& scene, gltf::Notes& notes)
+    : base_(std::move(base)),
+      options_(options),
+      scene_(scene),
+      notes_(notes),
+      texels_left_(options.most_texels)
 {
 }
 
@@ -85,7 +88,7 @@ std::uint32_t Materials::add(TextureImage image)
 
 std::optional<std::uint32_t> Materials::load(const std::string& name)
 {
-    const std::optional<std::string> path = find_below(base_, name);
+    const std::optional<std::string> path = find_file(base_, name, options_.allow_any_file);
     if (!path) {
         notes_.add("images that are not there", "drawn without them");
         return std::nullopt;
@@ -97,9 +100,7 @@ std::optional<std::uint32_t> Materials::load(const std::string& name)
         notes_.add("images that are neither PNG nor JPEG", "drawn without them");
         return std::nullopt;
     }
-    TextureLimits limits;
-    limits.most_texels = std::min(limits.most_texels, texels_left_);
-    TextureImage image = decode_texture(*path, content, limits);
+    TextureImage image = decode_texture(*path, content, {.most_texels = texels_left_});
     image.name = name_of_file(*path);
     number = add(std::move(image));
     return number;
@@ -123,7 +124,7 @@ std::optional<std::uint32_t> Materials::with_opacity(std::optional<std::uint32_t
         }
     }
     if (mask.texels.size() > texels_left_) {
-        fail_in_file(base_, "its images have more than " + std::to_string(kMostTexels) + " texels");
+        fail_in_file(base_, "its images have more texels than --most-texels allows");
     }
     if (color) {
         image = scene_.images[*color];

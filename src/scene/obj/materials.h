@@ -6,20 +6,22 @@
 #include <optional>
 #include <string>
 
+#include <sheer/sheer.h>
+
 #include "scene/gltf/notes.h"
 #include "scene/obj/mtl.h"
 
 namespace sheer::obj {
 
 // The path of the file that `name` means, seen from the one at `base`: only if it is there, and
-// below base's folder. Where the name leads out of it, to places on the writer's machine most
-// often, its last part is looked for in the folder.
-std::optional<std::string> find_below(const std::string& base, std::string name);
+// below base's folder unless it may be `anywhere`. Where the name leads out of it, to places on the
+// writer's machine most often, its last part is looked for in the folder.
+std::optional<std::string> find_file(const std::string& base, std::string name, bool anywhere);
 
 class Materials {
 public:
-    // Files are looked for below the folder of `base`.
-    Materials(std::string base, Scene& scene, gltf::Notes& notes);
+    // Files are looked for from the folder of `base`.
+    Materials(std::string base, const LoadOptions& options, Scene& scene, gltf::Notes& notes);
 
     Material make(const std::string& name, const MtlMaterial& mtl);
 
@@ -34,6 +36,7 @@ private:
     std::optional<Texture> base_color_texture(const MtlMaterial& mtl);
 
     std::string base_;
+    const LoadOptions& options_;
     Scene& scene_;
     gltf::Notes& notes_;
     std::uint64_t texels_left_;

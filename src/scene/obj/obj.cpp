@@ -32,8 +32,8 @@ struct Latest {
 
 class Reader {
 public:
-    Reader(const std::string& path, const Bytes& content)
-        : path_(path), line_(path, as_text(content), LineJoin::backslash)
+    Reader(const std::string& path, const Bytes& content, const LoadOptions& options)
+        : path_(path), options_(options), line_(path, as_text(content), LineJoin::backslash)
     {
         key_.name = name_of_file(path);
     }
@@ -206,7 +206,7 @@ private:
     void read_libraries()
     {
         const std::string all(line_.rest());
-        if (find_below(path_, all)) return read_library(all);
+        if (find_file(path_, all, options_.allow_any_file)) return read_library(all);
         std::string_view rest = all;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
@@ -217,7 +217,7 @@ private:
 
     void read_library(const std::string& name)
     {
-        const std::optional<std::string> path = find_below(path_, name);
+        const std::optional<std::string> path = find_file(path_, name, options_.allow_any_file);
         if (!path) {
             notes_.add("material libraries that are not there", "drawn without them");
         } else if (libraries_.insert(*path).second) {
@@ -254,7 +254,7 @@ private:
 
     void place_parts()
     {
-        Materials materials(path_, scene_, notes_);
+        Materials materials(path_, options_, scene_, notes_);
         for (Part& p : parts_.all()) {
             if (p.indices.empty()) continue;
             Mesh mesh = to_mesh(p, attributes_, notes_);
@@ -278,6 +278,7 @@ private:
     }
 
     std::string path_;
+    const LoadOptions& options_;
     TextScanner line_;
     Scene scene_;
     gltf::Notes notes_;
@@ -296,9 +297,14 @@ private:
 }  // namespace
 }  // namespace obj
 
+Scene read_obj(const std::string& path, const Bytes& content, const LoadOptions& options)
+{
+    return obj::Reader(path, content, options).read();
+}
+
 Scene read_obj(const std::string& path, const Bytes& content)
 {
-    return obj::Reader(path, content).read();
+    return read_obj(path, content, {});
 }
 
 }  // namespace sheer

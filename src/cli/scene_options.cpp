@@ -1,0 +1,120 @@
+// SCENE on the command line.
+#include "cli/scene_options.h"
+
+#include <algorithm>
+
+#include "cli/values.h"
+#include "cli/view_options.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr const char* kGroup = "Scene";
+constexpr const char* kEverything = "*";
+
+// [NAME-PATTERN=]A; names may hold the sign, too, numbers not.
+OpacityRule parse_opacity(const std::string& option, const std::string& text)
+{
+    const std::size_t sign = text.rfind('=');
+    const bool has_pattern = sign != std::string::npos;
+    const std::string number = has_pattern ? text.substr(sign + 1) : text;
+    const float opacity = parse_float(option, number);
+    if (!(opacity >= 0 && opacity <= 1)) {
+        throw Error(Fault::input, option + ": '" + number + "' is not between 0 and 1");
+    }
+    return {has_pattern ? text.substr(0, sign) : kEverything, opacity};
+}
+
+// Some of the names that a pattern could have matched.
+std::string some_names(const Scene& scene)
+{
+    constexpr std::size_t kMost = 8;  // fit a line or two
+    std::vector<std::string> names;
+    const auto add = [&names](const std::string& name) {
+        const bool known = std::find(names.begin(), names.end(), name) != names.end();
+        if (!name.empty() && !known && names.size() <= kMost) names.push_back(name);
+    };
+    for (const Object& object : scene.objects) {
+        const Mesh& mesh = scene.meshes[object.mesh];
+        add(object.name);
+        add(mesh.name);
+        add(scene.materials[mesh.material].name);
+    }
+    if (names.empty()) return "nothing in the scene has a name";
+    const bool more = names.size() > kMost;
+    if (more) names.pop_back();
+    std::string text = "there are ";
+    for (const std::string& name : names) {
+        text += (&name == &names.front() ? "'" : ", '") + name + "'";
+    }
+    return more ? text + " and others" : text;
+}
+
+void apply(const OpacityRule& rule, Scene& scene)
+{
+    if (set_opacity(scene, rule.pattern, rule.opacity) > 0 || rule.pattern == kEverything) return;
+    throw Error(Fault::input, "--opacity: no object, mesh or material is called '" + rule.pattern +
+                                  "'; " + some_names(scene));
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& command, SceneOptions& given)
+{
+    command.add_option("SCENE", given.source, "A file, or builtin:NAME")
+        ->required()
+        ->option_text(" ");
+    add_value(command, "--scene", "NAME|NUMBER", "Of a glTF file with several (the file's choice)",
+              [&given](auto&, auto& text) { given.load.scene = text; })
+        ->group(kGroup);
+    command
+        .add_flag("--allow-any-file", given.load.allow_any_file,
+                  "Read also what lies outside of the scene's folder, for\n"
+                  "files that you trust")
+        ->disable_flag_override()
+        ->group(kGroup);
+    add_value(command, "--most-texels", "N",
+              "Of all images; more are refused (" + std::to_string(given.load.most_texels) + ")",
+              [&given](auto& option, auto& text) {
+                  given.load.most_texels = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
+              })
+        ->group(kGroup);
+}
+
+void add_override_options(CLI::App& command, SceneOptions& given)
+{
+    // Every value of its own, and all of them kept.
+    command
+        .add_option_function<std::vector<std::string>>(
+            "--opacity",
+            [&given](const std::vector<std::string>& all) {
+                for (const std::string& text : all) {
+                    given.opacities.push_back(parse_opacity("--opacity", text));
+                }
+            },
+            "See through objects: multiply their opacity by A. Those\n"
+            "whose own, mesh's or material's name is NAME-PATTERN\n"
+            "(* and ? stand for any text and character), or all;\n"
+            "may be given again, the last that matches counts")
+        ->allow_extra_args(false)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+        ->type_name("[NAME-PATTERN=]A")
+        ->option_text("[NAME-PATTERN=]A")
+        ->group(kGroup);
+    command
+        .add_flag("--mask-as-blend", given.mask_as_blend,
+                  "Blend what has a mask: no threshold cuts it out")
+        ->disable_flag_override()
+        ->group(kGroup);
+}
+
+Scene load_scene(const SceneOptions& given)
+{
+    Scene scene = load(given.source, given.load);
+    for (const OpacityRule& rule : given.opacities) apply(rule, scene);
+    if (given.mask_as_blend) mask_as_blend(scene);
+    return scene;
+}
+
+}  // namespace sheer
