@@ -59,7 +59,7 @@ void add_commands(CLI::App& tool)
     add_compare_command(tool);
     add_diff_command(tool);
     tool.footer("'sheer COMMAND --help' says more about a command.\n\n" +
-                examples_help({"sheer render builtin:motor -o motor.png",
+                examples_help({"sheer render builtin:windy-hill -o hill.png",
                                "sheer render scene.glb -o scene.exr --method blend --samples 4",
                                "sheer info scene.glb", "sheer methods",
                                "sheer bench builtin:motor --size 500x500 --samples 1,8",

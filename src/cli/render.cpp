@@ -145,7 +145,7 @@ void add_render_command(CLI::App& tool)
     add_override_options(*command, request->scene);
     add_view_options(*command, request->given);
     const std::string examples = examples_help(
-        {"sheer render builtin:motor -o motor.png",
+        {"sheer render builtin:windy-hill -o hill.png",
          "sheer render builtin:motor -o blend.png --method blend --size 640x480",
          "sheer render 'builtin:layers?alpha=0.5&depth=1,2' -o layers.exr --samples 1",
          "sheer render builtin:quads -o quads.png --filter gaussian --stats quads.json",
