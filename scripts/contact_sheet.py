@@ -177,8 +177,12 @@ def main():
     parser.add_argument("--tool", type=Path, default=root / "build/release/sheer")
     parser.add_argument("--seconds", type=float, default=10, help="for a file; 10")
     given = parser.parse_args()
+    tool = given.tool.resolve()  # a bare name would be looked for elsewhere
+    if not tool.is_file():
+        sys.exit(f"{given.tool}: there is no such tool")
 
-    files = sorted(p for p in given.folder.rglob("*") if p.suffix.lower() in SUFFIXES)
+    below = given.folder.rglob("*")
+    files = sorted(p for p in below if p.suffix.lower() in SUFFIXES and p.is_file())
     if not files:
         sys.exit(f"{given.folder}: there is no scene file below it")
     pictures, misbehaved = {}, 0
@@ -187,7 +191,7 @@ def main():
         png = Path(folder) / "picture.png"
         for name, path in zip(names, files):
             png.unlink(missing_ok=True)
-            behaved, said = draw(given.tool, path, png, given.seconds)
+            behaved, said = draw(tool, path, png, given.seconds)
             misbehaved += not behaved
             if png.exists():
                 pictures[name] = read_png(png)
