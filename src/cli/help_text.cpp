@@ -17,12 +17,10 @@ std::string examples_help(const std::vector<std::string>& commands)
 std::string scenes_help()
 {
     std::string text =
-        "Scenes: a file, or builtin:NAME?KEY=VALUE&KEY=VALUE. Files may be glTF 2.0 (.gltf, "
-        ".glb),\n"
-        "Wavefront OBJ with MTL (.obj), PLY (.ply), STL (.stl) or TressFX hair (.tfx). Built in "
-        "are\n"
-        "these, with their keys and defaults (put quotes around: '&' and ';' mean something to a\n"
-        "shell):\n";
+        "Scenes: a file, or builtin:NAME?KEY=VALUE&KEY=VALUE. Files may be glTF 2.0 (.gltf,\n"
+        ".glb), Wavefront OBJ with MTL (.obj), PLY (.ply), STL (.stl), TressFX hair (.tfx).\n"
+        "Built in are these, with their keys and defaults (put quotes around: '&' and ';'\n"
+        "mean something to a shell):\n";
     for (const BuiltinScene& scene : builtin_scenes()) {
         text += "  builtin:" + std::string(scene.name) + "  " + scene.what + "\n      " +
                 scene.parameters + "\n";
