@@ -90,15 +90,19 @@ def gltf():
     unit = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
     texture = {"index": 0, "texCoord": 1}
     turned = {"KHR_texture_transform": {"offset": [0.1, 0], "rotation": 1, "scale": [2, 2]}}
+    copies = {"attributes": {"TRANSLATION": positions}}
     document = {
         "asset": {"version": "2.0"},
-        "extensionsUsed": ["KHR_lights_punctual", "KHR_texture_transform", "EXT_mesh_gpu_instancing"],
+        "extensionsUsed": [
+            "KHR_lights_punctual", "KHR_texture_transform", "EXT_mesh_gpu_instancing",
+            "KHR_materials_transmission",
+        ],
         "scene": 0,
         "scenes": [{"nodes": [0, 1, 5]}],
         "nodes": [
             {"mesh": 0, "skin": 0, "weights": [0.5]},
             {"rotation": [0, 0, 0, 1], "scale": [1, 2, 1], "children": [2, 3, 4]},
-            {"mesh": 1, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}}}},
+            {"mesh": 1, "extensions": {"EXT_mesh_gpu_instancing": copies}},
             {"matrix": unit, "mesh": 2},
             {"translation": [0, 0, 4], "camera": 0},
             {"extensions": {"KHR_lights_punctual": {"light": 0}}, "mesh": 3},
@@ -157,7 +161,9 @@ def gltf():
         ],
         "extensions": {
             "KHR_lights_punctual": {
-                "lights": [{"type": "spot", "intensity": 2, "range": 9, "spot": {"outerConeAngle": 1}}]
+                "lights": [
+                    {"type": "spot", "intensity": 2, "range": 9, "spot": {"outerConeAngle": 1}},
+                ]
             }
         },
         "accessors": buffer.accessors,

@@ -4,8 +4,9 @@
     python3 -B scripts/mutants.py [N [FOLDER...]]
 
 Runs `sheer render` over every scene below the folders, and some of its own, as it is, and then over
-N mutants of those that were drawn; with no N, of none. A file may stand for a folder. The mutants depend on the seed and on the files alone. Each run
-is a process of its own, and must end in one of two ways:
+N mutants of those that were drawn; with no N, of none. A file may stand for a folder. The mutants
+depend on the seed and on the files alone. Each run is a process of its own, and must end in one of
+two ways:
 
     accepted   exit code 0, a whole picture, and nothing on standard error
     refused    exit code 1 or 2, one line on standard error, and no file left behind
@@ -227,11 +228,11 @@ def parse_arguments():
     parser.add_argument("count", type=int, nargs="?", default=0, metavar="N")
     parser.add_argument("places", type=Path, nargs="*", metavar="FOLDER")
     parser.add_argument("--tool", type=Path, default=Path("build/release/sheer"))
-    parser.add_argument("--sanitized", action="store_true", help="the tool was built with sanitizers")
+    parser.add_argument("--sanitized", action="store_true", help="the tool has sanitizers")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--seconds", type=int, default=10, help="of a processor, for each file")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
-    parser.add_argument("--largest", type=float, default=4, help="mebibytes; larger are passed over")
+    parser.add_argument("--largest", type=float, default=4, help="mebibytes a file")
     parser.add_argument("--keep", type=Path, default=Path("out/mutants"), help="for faulty files")
     return parser.parse_intermixed_args()
 
@@ -253,9 +254,9 @@ def main():
             print(f"passed over for their size: {len(found) - len(cases)}")
         scenes = run_all("scenes", cases, len(cases), settings, work)
         print_table("as it is", scenes)
-        refused = [c.scene.name for c, o in scenes if o == "refused" and own in c.files[c.scene].parents]
-        if refused:
-            sys.exit(f"mutants.py: its own files should be drawn, but not so {' '.join(refused)}")
+        for case, outcome in scenes:
+            if outcome == "refused" and case.files[case.scene].parent == own:
+                sys.exit(f"mutants.py: {case.scene} should be drawn, but is refused")
         good = originals_by_format(case for case, outcome in scenes if outcome == "accepted")
         mutants = []
         if settings.count > 0 and good:
