@@ -1,4 +1,5 @@
 // The materials of OBJ files: numbers, images and what they make transparent.
+#include <filesystem>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -210,6 +211,13 @@ TEST(Mtl, NothingOutsideOfTheFolderIsRead)
     EXPECT_EQ(scene.ignored,
               (std::vector<std::string>{"images that are not there: 1, drawn without them"}));
     EXPECT_EQ(scene.materials[0].shading, Shading::metallic_roughness);
+    // Links count for where they lead.
+    scenery.write("inner/a.mtl", "newmtl m\nmap_Kd link.png\n");
+    const std::filesystem::path link = scenery.path() + "/inner/link.png";
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink("../a.png", link);
+    EXPECT_EQ(read_obj(path, read_file(path)).images.size(), 0u);
+    EXPECT_EQ(read_obj(path, read_file(path), {.allow_any_file = true}).images.size(), 1u);
 }
 
 TEST(Mtl, FilesOutsideOfTheFolderMayBeAllowed)

@@ -12,6 +12,8 @@
 
 #include <sheer/error.h>
 
+#include "support/lies_below.h"
+
 namespace sheer::gltf {
 
 namespace {
@@ -90,17 +92,6 @@ std::string_view scheme_of(std::string_view uri)
     }
     const bool is_scheme = end > 1 && end < uri.size() && uri[end] == ':' && is_letter(uri[0]);
     return is_scheme ? uri.substr(0, end) : std::string_view();
-}
-
-// Links count for where they lead.
-bool lies_below(const std::filesystem::path& folder, const std::filesystem::path& path)
-{
-    std::error_code fault;
-    const auto from = weakly_canonical(absolute(folder.empty() ? "." : folder), fault);
-    if (fault) return false;
-    const auto to = weakly_canonical(absolute(path), fault);
-    if (fault) return false;
-    return std::mismatch(from.begin(), from.end(), to.begin(), to.end()).first == from.end();
 }
 
 }  // namespace

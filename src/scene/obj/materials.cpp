@@ -9,6 +9,7 @@
 
 #include "image/decode_texture.h"
 #include "scene/mesh_files.h"
+#include "support/lies_below.h"
 
 namespace sheer::obj {
 
@@ -56,7 +57,7 @@ std::optional<std::string> find_file(const std::string& base, std::string name, 
     const fs::path whole = fs::path(name).lexically_normal();
     for (const fs::path& path : {whole, whole.filename()}) {
         if (path.empty()) continue;
-        if (!anywhere && (path.is_absolute() || *path.begin() == "..")) continue;
+        if (!anywhere && !lies_below(folder, folder / path)) continue;
         std::error_code ignored;
         if (fs::is_regular_file(folder / path, ignored)) return (folder / path).string();
     }
