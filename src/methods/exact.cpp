@@ -70,7 +70,7 @@ struct ExactStore {
 
     void clear(const TilePlace&)
     {
-        if (touched > most_bytes / 2) give_back();
+        if (touched > most_bytes) give_back();
         layers.clear();
         runs.clear();
         std::fill(counts.begin(), counts.end(), 0);
