@@ -80,7 +80,10 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
         if (!are_finite(p)) refuse(name + ": a position is not finite");
     }
     for (const Float3& n : mesh.normals) {
-        if (!are_finite(n)) refuse(name + ": a normal is not finite");
+        const auto is_short = [](float c) { return std::abs(c) <= 1e6f; };
+        if (!std::all_of(n.begin(), n.end(), is_short)) {
+            refuse(name + ": a normal is not between -1,000,000 and 1,000,000");
+        }
     }
     for (const Float4& c : mesh.colors) {
         if (!are_colors(c)) refuse(name + ": a colour is not between 0 and 1,000,000");

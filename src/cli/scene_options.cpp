@@ -93,7 +93,7 @@ void add_override_options(CLI::App& command, SceneOptions& given)
                     given.opacities.push_back(parse_opacity("--opacity", text));
                 }
             },
-            "See through objects: multiply their opacity by A. Those\n"
+            "See through objects: give them the opacity A. Those\n"
             "whose own, mesh's or material's name is NAME-PATTERN\n"
             "(* and ? stand for any text and character), or all;\n"
             "may be given again, the last that matches counts")

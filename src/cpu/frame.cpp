@@ -194,8 +194,9 @@ std::uint64_t geometry_bytes(const Scene& scene)
     const bool textured = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
         return !m.texcoords[0].empty() || !m.texcoords[1].empty();
     });
-    const std::size_t vertex_bytes =
-        sizeof(PosedVertex) + sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0);
+    const std::size_t attribute_bytes =
+        sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0);
+    const std::size_t vertex_bytes = sizeof(PosedVertex) + attribute_bytes;
     constexpr std::size_t kTriangleBytes = 2 * sizeof(Triangle) + 4 * sizeof(std::uint32_t);
     // Of a ribbon or square on its way, which is a mesh of its own.
     constexpr std::size_t kMadeBytes =
@@ -207,6 +208,12 @@ std::uint64_t geometry_bytes(const Scene& scene)
         switch (mesh.topology) {
             case Topology::triangles:
                 bytes += mesh.positions.size() * vertex_bytes + indices / 3 * kTriangleBytes;
+                // Vertices of their own, in a vector that grows.
+                if (mesh.normals.empty()) bytes += 2 * indices * attribute_bytes;
+                // Tangents on their way.
+                if (mesh.tangents.empty() && scene.materials[mesh.material].normal_texture) {
+                    bytes += mesh.positions.size() * (9 * sizeof(double) + sizeof(Float4));
+                }
                 break;
             case Topology::lines:
                 bytes += indices * (2 * (vertex_bytes + kMadeBytes) + kTriangleBytes);

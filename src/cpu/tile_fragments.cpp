@@ -84,7 +84,7 @@ inline void set_light_places(const Tile& tile, const Triangle& t, TriangleDetail
     std::vector<Float3>& places = tile.scratch.light_places;
     result.edge1 = result.edge2 = {0, 0, 0};
     result.light_places = nullptr;
-    if (lights.empty()) return;
+    if (lights.empty() || tile.job.surfaces->surfaces[t.object].shading == Shading::unlit) return;
     const Eye& eye = tile.job.geometry->eye;
     const auto p0 = place_of(eye, t, 0), p1 = place_of(eye, t, 1), p2 = place_of(eye, t, 2);
     places.resize(lights.size());
@@ -329,7 +329,10 @@ HWY_INLINE void for_each_transparent(const TileJob& job, std::vector<SortedTrian
                                      Draw&& draw)
 {
     const auto is_seen = [](const Surface& surface) {
-        return surface.transparent && surface.opacity * surface.object_opacity > 0;
+        // What passes a mask counts as opaque.
+        const bool is_mask = surface.alpha_mode == AlphaMode::mask;
+        return surface.transparent && surface.object_opacity > 0 &&
+               (is_mask || surface.opacity > 0);
     };
     if (job.submission == Submission::as_given) {
         for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,

@@ -14,8 +14,9 @@ DrawnObjects::DrawnObjects(const Scene& scene, const Projection& projection, int
     const auto tangents = [&](std::uint32_t number) -> const std::vector<Float4>* {
         const Mesh& mesh = scene.meshes[number];
         const auto& texture = scene.materials[mesh.material].normal_texture;
-        if (!texture || mesh.texcoords[texture->set].empty()) return nullptr;
+        if (!texture) return nullptr;
         if (!mesh.tangents.empty()) return &mesh.tangents;
+        if (mesh.texcoords[texture->set].empty()) return nullptr;
         const auto known = tangents_of.find(number);
         if (known != tangents_of.end()) return known->second;
         tangents_.push_back(make_tangents(mesh, texture->set));

@@ -149,9 +149,10 @@ void pose_texture_range(const DrawnObject& object, bool mirrored, std::size_t be
     }
 }
 
-bool has_texcoords(const Mesh& mesh)
+bool has_texture_attributes(const DrawnObject& object)
 {
-    return !mesh.texcoords[0].empty() || !mesh.texcoords[1].empty();
+    return object.tangents != nullptr || !object.mesh->texcoords[0].empty() ||
+           !object.mesh->texcoords[1].empty();
 }
 
 // Primitive ids count through the objects in the order of Object::id.
@@ -233,7 +234,7 @@ PosedScene pose_scene(const Scene& scene, const DrawnObjects& drawn, const Proje
     bool textured = false;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const std::size_t count = drawn[i].mesh->positions.size();
-        textured = textured || has_texcoords(*drawn[i].mesh);
+        textured = textured || has_texture_attributes(drawn[i]);
         posed.first_vertex.push_back(static_cast<std::uint32_t>(total));
         poses.push_back(pose_object(drawn[i].transform, projection, map));
         posed.normal_to_world.push_back(poses.back().normal);
@@ -255,7 +256,7 @@ PosedScene pose_scene(const Scene& scene, const DrawnObjects& drawn, const Proje
         const std::size_t first = posed.first_vertex[r.object];
         pose_range(*drawn[r.object].mesh, poses[r.object], map, r.begin, r.end,
                    posed.vertices.data() + first, posed.attributes.data() + first);
-        if (has_texcoords(*drawn[r.object].mesh)) {
+        if (has_texture_attributes(drawn[r.object])) {
             pose_texture_range(drawn[r.object], poses[r.object].mirrored, r.begin, r.end,
                                posed.texture_attributes.data() + first);
         }

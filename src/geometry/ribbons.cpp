@@ -100,9 +100,10 @@ private:
     Mesh made_;
 };
 
-// The vertices of one ribbon, in order.
+// The vertices of one ribbon, in order, no two that follow one another at the same place.
 void add_ribbon(Widener& widener, const std::vector<std::uint32_t>& line)
 {
+    if (line.size() < 2) return;
     const std::size_t last = line.size() - 1;
     const bool closed = last > 1 && line.front() == line.back();
     std::uint32_t left_before = 0, right_before = 0;
@@ -137,7 +138,12 @@ Mesh make_ribbons(const Mesh& lines, const Mat4& to_world, const RibbonView& vie
             line.clear();
         }
         if (line.empty()) line.push_back(lines.indices[i]);
-        line.push_back(lines.indices[i + 1]);
+        const std::uint32_t next = lines.indices[i + 1];
+        if (lines.positions[next] == lines.positions[line.back()]) {
+            line.back() = next;
+        } else {
+            line.push_back(next);
+        }
     }
     if (!line.empty()) add_ribbon(widener, line);
     return std::move(widener.made());

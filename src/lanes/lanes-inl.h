@@ -191,11 +191,13 @@ struct Lanes {
         if constexpr (kOwnMinMax) return hn::Min(a.v, b.v);
         return select(a < b, a, b);
     }
-    // Below 2^31 in magnitude.
     static HWY_INLINE real floor(real a)
     {
         const real whole_part = to_real(to_whole(a));
-        return whole_part - zero_unless(whole_part > a, real(1.0f));
+        const real below = whole_part - zero_unless(whole_part > a, real(1.0f));
+        // From 2^23 on floats are whole, and integers may not hold them.
+        const real limit(8388608.0f);
+        return select(a < limit && a > real(0.0f) - limit, below, a);
     }
     static HWY_INLINE real sqrt(real a) { return hn::Sqrt(a.v); }
     static HWY_INLINE real gather(const float* base, whole index)

@@ -109,6 +109,11 @@ MetallicRoughness metallic_roughness_of(Spot& spot)
             material.transmission * transmission[0]};
 }
 
+Vec3 at_most_one(const Vec3& v)
+{
+    return {std::min(1.0, v[0]), std::min(1.0, v[1]), std::min(1.0, v[2])};
+}
+
 Vec3 metallic_roughness_radiance(const Spot& spot, const Vec3& color, const Vec3& normal,
                                  const MetallicRoughness& values)
 {
@@ -121,7 +126,7 @@ Vec3 metallic_roughness_radiance(const Spot& spot, const Vec3& color, const Vec3
     const Vec3 dielectric = {kDielectricReflectance, kDielectricReflectance,
                              kDielectricReflectance};
     const Reflector reflector{normal, spot.place.to_eye, diffuse,
-                              dielectric + m * (color - dielectric), values.roughness};
+                              at_most_one(dielectric + m * (color - dielectric)), values.roughness};
     Vec3 radiance = reflected_sky(reflector, scene.sky);
     for (const Arrival& arrival : arrivals_at(scene, spot.place.position)) {
         const double cosine = std::max(0.0, dot(normal, arrival.to_light));
@@ -148,7 +153,8 @@ void set_glass(Surface& surface, const Vec3& radiance, double opacity, const Vec
 {
     const double through =
         values.transmission * (1 - values.metallic) * (1 - kDielectricReflectance);
-    const Vec3 t = Vec3{1 - opacity, 1 - opacity, 1 - opacity} + opacity * through * color;
+    const Vec3 t =
+        at_most_one(Vec3{1 - opacity, 1 - opacity, 1 - opacity} + opacity * through * color);
     surface.opacity = 1 - mean(t);
     if (surface.opacity < kLeastOpacityOfGlass) {
         return;

@@ -16,6 +16,7 @@ namespace {
 constexpr std::size_t kHeaderSize = 160, kPositionSize = 16;
 constexpr float kVersion = 4.0f;
 constexpr float kWidth = 1e-3f;  // of the box's longest side: a head's hair in a picture's pixels
+constexpr float kMostWidth = 1e6f;  // of what Sheer draws
 
 std::uint32_t word_at(const Bytes& content, std::size_t offset)
 {
@@ -77,7 +78,7 @@ Scene read_tfx(const std::string& path, const Bytes& content)
         }
         mesh.positions.push_back(p);
     }
-    mesh.width = kWidth * longest_side(mesh.positions);
+    mesh.width = std::min(kWidth * longest_side(mesh.positions), kMostWidth);
     Scene scene;
     scene.materials.push_back(plain_material(mesh.name, false));
     place_mesh(scene, std::move(mesh));

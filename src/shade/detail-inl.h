@@ -155,6 +155,14 @@ HWY_INLINE Split<L> split(const MaterialDetail& material, const TriangleDetail& 
     return s;
 }
 
+// Colours may be brighter than white; what is let through or mirrored is not.
+template <class L>
+HWY_INLINE Vector<L> at_most_one(const Vector<L>& v)
+{
+    const typename L::real one(1.0f);
+    return {L::min(v.x, one), L::min(v.y, one), L::min(v.z, one)};
+}
+
 // The fragment's colour and opacity once part of the light goes through in colours.
 template <class L>
 HWY_INLINE void transmit(const BaseColor<L>& base, const Split<L>& s, const Vector<L>& radiance,
@@ -164,7 +172,7 @@ HWY_INLINE void transmit(const BaseColor<L>& base, const Split<L>& s, const Vect
     const real one(1.0f), zero(0.0f);
     const real through = base.opacity * s.transmission * (one - s.metallic) * real(1 - 0.04f);
     const real rest = one - base.opacity;
-    f.transmittance = Vector<L>{rest, rest, rest} + through * base.color;
+    f.transmittance = at_most_one<L>(Vector<L>{rest, rest, rest} + through * base.color);
     const real mean = (f.transmittance.x + f.transmittance.y + f.transmittance.z) * real(1.0f / 3);
     const real opacity = L::min(L::max(one - mean, zero), one);
     // Below a millionth there is nothing to see, and the colour's scale would not be finite.
@@ -202,6 +210,7 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
     const Split<L> s = split<L>(material, detail, p);
     const real one(1.0f);
     point.at_front = point.at_front + s.metallic * (base.color - point.at_front);
+    point.at_front = at_most_one<L>(point.at_front);
     point.color = ((one - s.metallic) * (one - s.transmission)) * base.color;
     point.roughness = s.roughness;
     const Vector<L> color = metallic_roughness_radiance<L>(light, point) + emitted;

@@ -110,7 +110,8 @@ HWY_NOINLINE Vector<L> reflected(const LitPoint<L>& p, const Incident<L>& in, ty
     // 1 - (n . h)^2 would lose all digits where it counts, in the middle of a highlight.
     const Vector<L> off = cross(p.normal, h);
     const real t = dot(off, off) + a2 * nh * nh;
-    const real distribution = a2 / (real(kPi) * t * t);
+    // Light from behind along the line of sight has no half vector and no highlight.
+    const real distribution = L::zero_unless(t > zero, a2 / (real(kPi) * t * t));
     const real visibility =
         half / (nl * L::sqrt(nv * nv * (one - a2) + a2) + nv * L::sqrt(nl * nl * (one - a2) + a2));
     const Vector<L> sum =

@@ -38,15 +38,14 @@ template <class L>
 HWY_INLINE typename L::real wrapped(typename L::real u, Wrap wrap)
 {
     using real = typename L::real;
-    const real zero(0.0f), one(1.0f), two(2.0f);
-    switch (wrap) {
-        case Wrap::repeat: return u - L::floor(u);
-        case Wrap::mirrored_repeat: {
-            const real t = u - two * L::floor(real(0.5f) * u);
-            return L::select(t > one, two - t, t);
-        }
-        default: return L::min(L::max(u, zero), one);
+    const real one(1.0f), two(2.0f);
+    if (wrap == Wrap::repeat) u = u - L::floor(u);
+    if (wrap == Wrap::mirrored_repeat) {
+        const real t = u - two * L::floor(real(0.5f) * u);
+        u = L::select(t > one, two - t, t);
     }
+    // Infinite coordinates come out as no numbers before, and as 0 here.
+    return L::min(L::max(u, real(0.0f)), one);
 }
 
 // Two neighbouring texels along one axis and how far on the way from the first to the second.

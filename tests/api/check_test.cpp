@@ -56,7 +56,7 @@ TEST(Check, WhatIsNoNumberIsRefused)
     EXPECT_EQ(error_of([](Scene& s, View&) {
                   s.meshes[0].normals.assign(3, {0, kInfinity, 0});
               }),
-              "mesh 0: a normal is not finite");
+              "mesh 0: a normal is not between -1,000,000 and 1,000,000");
     EXPECT_EQ(error_of([](Scene& s, View&) {
                   s.meshes[0].colors.assign(3, {0, -1, 0, 1});
               }),

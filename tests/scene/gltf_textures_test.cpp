@@ -304,10 +304,22 @@ TEST(GltfTextures, BrokenImagesAreFaults)
     EXPECT_EQ(fault_of(builder).rfind("test.gltf: images[0]: ", 0), 0u) << fault_of(builder);
 }
 
-TEST(GltfTextures, BoundsTexels)
+TEST(GltfTextures, ImagesOfTheSameBytesAreDecodedOnce)
 {
     Builder builder = textured();
     builder.json["images"].push_back(builder.json["images"][0]);
+    builder.json["textures"].push_back({{"source", 1}});
+    builder.json["materials"][0]["emissiveTexture"]["index"] = 1;
+    const std::string text = builder.text();
+    const Scene scene = read_gltf("test.gltf", Bytes(text.begin(), text.end()));
+    EXPECT_EQ(scene.images.size(), 1u);
+    EXPECT_EQ(scene.materials[0].emission_texture->image, 0u);
+}
+
+TEST(GltfTextures, BoundsTexels)
+{
+    Builder builder = textured();
+    builder.json["images"].push_back({{"bufferView", builder.view(one_texel(1, 2, 3))}});
     builder.json["textures"].push_back({{"source", 1}});
     builder.json["materials"][0]["emissiveTexture"]["index"] = 1;
     const std::string text = builder.text();

@@ -99,6 +99,66 @@ TEST(Lines, AreAsWideAsTheySay)
     EXPECT_NEAR(alpha_sum(), 4 * 4, 1e-3);
 }
 
+TEST(Lines, RepeatedPointsChangeNothing)
+{
+    Wall wall = plain_wall();
+    wall.material().shading = Shading::unlit;
+    Mesh& mesh = wall.scene.meshes[0];
+    mesh.topology = Topology::lines;
+    mesh.texcoords[0].clear();
+    mesh.width = 0.5f;
+    mesh.positions = {{-0.5f, 0, 0}, {0.1f, 0.2f, 0}, {0.5f, 0, 0}};
+    mesh.indices = {0, 1, 1, 2};
+    const Image once = wall.draw();
+    mesh.positions = {{-0.5f, 0, 0}, {0.1f, 0.2f, 0}, {0.1f, 0.2f, 0}, {0.5f, 0, 0}, {0.5f, 0, 0}};
+    mesh.indices = {0, 1, 1, 2, 2, 3, 3, 4};
+    EXPECT_EQ(wall.draw().pixels, once.pixels);
+    mesh.indices = {3, 4};  // a piece without length
+    for (const auto& pixel : wall.draw().pixels) EXPECT_EQ(pixel[0], 1);
+}
+
+TEST(Glass, NothingLetsMoreThroughThanThereIs)
+{
+    Wall wall = plain_wall();
+    wall.material().shading = Shading::metallic_roughness;
+    wall.material().transmission = 1;
+    wall.material().base_color = {2.9f, 0, 0};
+    for (std::uint32_t i = 1; i < 120; ++i) wall.scene.objects.push_back({"", 0, kIdentity, i});
+    for (const auto& pixel : wall.draw().pixels) {
+        EXPECT_EQ(pixel[0], 1);
+        EXPECT_NEAR(pixel[1], 0, 1e-6f);
+    }
+}
+
+TEST(Glass, MasksThatEverythingPassesAreSeenThrough)
+{
+    Wall wall = plain_wall();
+    wall.material().shading = Shading::unlit;
+    wall.material().base_color = {1, 0, 0};
+    wall.material().alpha_mode = AlphaMode::mask;
+    wall.material().alpha_cutoff = 0;
+    wall.material().opacity = 0;
+    wall.scene.objects[0].opacity = 0.5f;
+    expect_pixel(wall.draw(), {1, 0.5f, 0.5f, 1});
+}
+
+TEST(Shading, LightAlongTheLineOfSightFromBehindIsFinite)
+{
+    // Normals that look away from the eye, and the sun where they look: no half vector.
+    Wall wall = plain_wall();
+    wall.material().shading = Shading::metallic_roughness;
+    wall.material().base_color = {10, 10, 10};
+    wall.material().metallic = 0.5f;
+    wall.scene.meshes[0].normals = std::vector<Float3>(4, {0, 0, -1});
+    wall.scene.sun = {{0, 0, -1}, {1, 1, 1}};
+    for (const auto& pixel : wall.draw().pixels) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_TRUE(std::isfinite(pixel[c]));
+            EXPECT_GE(pixel[c], 0);
+        }
+    }
+}
+
 TEST(Lines, PiecesOfOneLineCoverEachSampleOnce)
 {
     // A bent ribbon of opacity 1/2: were pieces to overlap at the bend, it would be denser there.

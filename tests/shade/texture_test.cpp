@@ -156,4 +156,21 @@ TEST(Texture, TransformTurnsCoordinates)
     EXPECT_EQ(texel(13, 13), 2);  // (large, small)
 }
 
+TEST(Texture, HugeCoordinatesStayInsideOfTheImage)
+{
+    for (const Wrap wrap : {Wrap::repeat, Wrap::mirrored_repeat, Wrap::clamp_to_edge}) {
+        for (const MipFilter mip : {MipFilter::none, MipFilter::linear}) {
+            for (const float scale : {5e9f, 1e30f, 3e38f}) {
+                Wall wall(checkers(4), -scale, scale, scale, 1);
+                wall.material().base_color_texture->transform = {scale, 0, scale, 0, scale, 5e9f};
+                wall.sampler() = {wrap, wrap, TexelFilter::linear, TexelFilter::linear, mip};
+                for (const auto& pixel : wall.draw().pixels) {
+                    ASSERT_GE(pixel[0], 0);
+                    ASSERT_LE(pixel[0], 1);
+                }
+            }
+        }
+    }
+}
+
 }  // namespace sheer::test

@@ -4,6 +4,7 @@
 #include "scene/gltf/images.h"
 
 #include <map>
+#include <string>
 
 #include "image/decode_texture.h"
 #include "scene/gltf/uri.h"
@@ -69,19 +70,33 @@ public:
     std::optional<std::uint32_t> number_of(std::uint32_t image)
     {
         if (const auto known = numbers_.find(image); known != numbers_.end()) return known->second;
-        auto loaded = load(import_, import_.document.item("images", image));
-        auto& images = import_.scene.images;
+        const Value value = import_.document.item("images", image);
+        const std::string source = source_of(value);
         std::optional<std::uint32_t>& number = numbers_[image];
+        if (const auto known = sources_.find(source); known != sources_.end()) {
+            return number = known->second;
+        }
+        auto loaded = load(import_, value);
+        auto& images = import_.scene.images;
         if (loaded) {
             number = static_cast<std::uint32_t>(images.size());
             images.push_back(std::move(*loaded));
         }
-        return number;
+        return sources_[source] = number;
     }
 
 private:
+    // Several images may name the same bytes: a small file could ask for them without end.
+    static std::string source_of(const Value& image)
+    {
+        if (const auto view = image.find("bufferView")) return std::to_string(view->whole());
+        const auto uri = image.find("uri");
+        return uri ? "uri " + uri->text() : "";
+    }
+
     Import& import_;
     std::map<std::uint32_t, std::optional<std::uint32_t>> numbers_;
+    std::map<std::string, std::optional<std::uint32_t>> sources_;
 };
 
 }  // namespace

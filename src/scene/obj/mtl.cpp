@@ -53,6 +53,12 @@ constexpr std::array<MapOption, 11> kMapOptions = {{{"-s", 3, true},
                                                     {"-blendv", 1, false},
                                                     {"-imfchan", 1, false}}};
 
+// Coordinates beyond have no digits left for texels.
+float within_reason(float value)
+{
+    return std::clamp(value, -1e6f, 1e6f);
+}
+
 void read_option(TextScanner& line, const MapOption& option, Map& map)
 {
     for (int i = 0; i < option.most_words; ++i) {
@@ -60,9 +66,9 @@ void read_option(TextScanner& line, const MapOption& option, Map& map)
         const std::string_view word = ahead.word();
         if (option.numbers && !is_number(word)) return;
         if (i < 2 && option.name == "-s")
-            map.scale[static_cast<std::size_t>(i)] = line.to_number(word);
+            map.scale[static_cast<std::size_t>(i)] = within_reason(line.to_number(word));
         if (i < 2 && option.name == "-o")
-            map.offset[static_cast<std::size_t>(i)] = line.to_number(word);
+            map.offset[static_cast<std::size_t>(i)] = within_reason(line.to_number(word));
         if (option.name == "-clamp") map.clamp = word == "on";
         line.word();
     }
