@@ -11,7 +11,11 @@ namespace sheer {
 namespace {
 
 // A progressive file may go over the whole picture again and again; real ones do so a dozen times.
-constexpr int kMostScans = 500;
+constexpr std::uint64_t kMostScans = 500;
+
+// In all scans together: sixteen of the largest picture. Each pass takes memory's time even where
+// it says next to nothing, and could be asked for by a few hundred bytes.
+constexpr std::uint64_t kMostScannedPixels = std::uint64_t{1} << 32;
 
 // A block of samples takes one bit at least, and covers 32 x 32 pixels at most.
 constexpr std::size_t kMostPixelsPerByte = 8 * 32 * 32;
@@ -75,8 +79,12 @@ void JpegReader::take_message(j_common_ptr jpeg, int level)
 
 void JpegReader::limit_scans(j_common_ptr jpeg)
 {
-    if (reinterpret_cast<j_decompress_ptr>(jpeg)->input_scan_number > kMostScans) {
-        fail(*reinterpret_cast<Errors*>(jpeg->err), "more than 500 scans");
+    const auto picture = reinterpret_cast<j_decompress_ptr>(jpeg);
+    const auto scans = static_cast<std::uint64_t>(picture->input_scan_number);
+    Errors& errors = *reinterpret_cast<Errors*>(jpeg->err);
+    if (scans > kMostScans) fail(errors, "more than 500 scans");
+    if (scans * picture->image_width * picture->image_height > kMostScannedPixels) {
+        fail(errors, "more scans than a picture of this size needs");
     }
 }
 

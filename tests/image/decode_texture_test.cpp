@@ -239,20 +239,36 @@ TEST(DecodeTexture, LimitsAreLookedAtBeforeMemoryIsTaken)
     expect_refused(any_jpeg(true), "more than 89 texels", {.most_texels = 89});
 }
 
-TEST(DecodeTexture, JpegsOfEndlessScansAreRefused)
+// The last scan of a progressive file, again and again.
+Bytes with_last_scan(const Bytes& whole, int times)
 {
-    const Bytes whole = any_jpeg(true);
     const Bytes start = {0xff, 0xda};
     const auto last = std::find_end(whole.begin(), whole.end(), start.begin(), start.end());
     const Bytes scan(last, whole.end() - 2);  // before the end's marker
-    const auto with_scans = [&](int count) {
-        Bytes bytes(whole.begin(), last);
-        for (int i = 0; i < count; ++i) bytes.insert(bytes.end(), scan.begin(), scan.end());
-        bytes.insert(bytes.end(), whole.end() - 2, whole.end());
-        return message(bytes);
-    };
-    EXPECT_EQ(with_scans(400), "read");
-    EXPECT_EQ(with_scans(501), "dir/a.png: not a readable JPEG file: more than 500 scans");
+    Bytes bytes(whole.begin(), last);
+    for (int i = 0; i < times; ++i) bytes.insert(bytes.end(), scan.begin(), scan.end());
+    bytes.insert(bytes.end(), whole.end() - 2, whole.end());
+    return bytes;
+}
+
+TEST(DecodeTexture, JpegsOfEndlessScansAreRefused)
+{
+    const Bytes whole = any_jpeg(true);
+    EXPECT_EQ(message(with_last_scan(whole, 400)), "read");
+    expect_refused(with_last_scan(whole, 501), "more than 500 scans");
+}
+
+TEST(DecodeTexture, LargeJpegsOfManyScansAreRefused)
+{
+    // 2^24 pixels: 256 scans of them are allowed, and the fewest bytes ask for 257.
+    constexpr unsigned kSize = 4096;
+    const std::vector<jpeg_file::Samples> grey(kSize * kSize / 64, jpeg_file::Samples{128});
+    const Bytes whole =
+        jpeg_file::make_jpeg({kSize, kSize, JCS_GRAYSCALE, JCS_GRAYSCALE, grey, true});
+    EXPECT_EQ(message(with_last_scan(whole, 10)), "read");
+    const Bytes endless = with_last_scan(whole, 300);
+    EXPECT_LT(endless.size(), 1'000'000u);
+    expect_refused(endless, "more scans than a picture of this size needs");
 }
 
 TEST(DecodeTexture, JpegsWithArithmeticCodingAreRefused)
