@@ -105,8 +105,8 @@ struct Mesh {
                                   // lines and points facing the camera
     std::vector<Float4> colors;   // one for each position, linear straight RGBA, or empty: white
     std::vector<Float2> texcoords[2];  // two sets, each one for each position, or empty: (0, 0)
-    // One for each position, or empty: made from the normal texture's set. Unit length; w is 1 or -1, the side of the
-    // bitangent cross(normal, tangent) w.
+    // One for each position, or empty: made from the normal texture's set of coordinates. Unit
+    // length; w is 1 or -1, the side of the bitangent cross(normal, tangent) w.
     std::vector<Float4> tangents;
     Topology topology = Topology::triangles;
     // Three for each triangle, two for each piece of a line, one for each point. Pieces that follow
