@@ -328,23 +328,17 @@ template <class Draw>
 HWY_INLINE void for_each_transparent(const TileJob& job, std::vector<SortedTriangle>& sorted,
                                      Draw&& draw)
 {
-    const auto is_seen = [](const Surface& surface) {
-        // What passes a mask counts as opaque.
-        const bool is_mask = surface.alpha_mode == AlphaMode::mask;
-        return surface.transparent && surface.object_opacity > 0 &&
-               (is_mask || surface.opacity > 0);
-    };
     if (job.submission == Submission::as_given) {
         for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
                                    const Surface& surface) HWY_ATTR {
-            if (is_seen(surface)) draw(chunk, t);
+            if (is_seen_through(surface)) draw(chunk, t);
         });
         return;
     }
     sorted.clear();
     for_each_triangle(
         job, [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
-            if (!is_seen(surface)) return;
+            if (!is_seen_through(surface)) return;
             if (job.submission == Submission::objects_sorted) {
                 sorted.push_back({job.surfaces->distances[t.object], surface.id, &chunk, &t});
             } else {

@@ -49,6 +49,13 @@ struct Surface {
     const MaterialDetail* detail = nullptr;  // null: `color` and `opacity` are all
 };
 
+// Transparent, and not so much that nothing is left. What passes a mask counts as opaque.
+inline bool is_seen_through(const Surface& s)
+{
+    return s.transparent && s.object_opacity > 0 &&
+           (s.alpha_mode == AlphaMode::mask || s.opacity > 0);
+}
+
 // A light, its colours times 2^exposure.
 struct PreparedLight {
     LightKind kind;
