@@ -7,6 +7,8 @@
 
 #include <sheer/error.h>
 
+#include "scene/material_textures.h"
+
 namespace sheer {
 
 namespace {
@@ -156,11 +158,7 @@ void check_material(const Material& material, std::size_t number, std::size_t im
     if (!(std::abs(material.normal_scale) <= 1e6f)) {
         refuse(name + ": its normal scale is not between -1,000,000 and 1,000,000");
     }
-    for (const auto* texture :
-         {&material.base_color_texture, &material.metallic_roughness_texture,
-          &material.normal_texture, &material.emission_texture, &material.transmission_texture}) {
-        check_texture(name, *texture, images);
-    }
+    for (const auto texture : kMaterialTextures) check_texture(name, material.*texture, images);
 }
 
 }  // namespace

@@ -136,15 +136,11 @@ HWY_INLINE void shade_all(const Tile& tile, const TriangleChunk& chunk, const Tr
     }
     TriangleDetail detail;
     set_detail(tile, chunk, t, detail);
-    const bool transmits = surface.detail->transmission > 0;
     for (int i = first; i < end; i += Block::kCount) {
         const LocatedOnScreen at = locate_on_screen(planes, set, list, i);
         const ShadePoint<Block> point = shade_point(planes, tile.rays, at, end - i);
-        DetailedFragment<Block> f = shade_detail<Block>(surface, triangle, detail, light, point);
-        if (!transmits) {
-            const Block::real rest = Block::real(1.0f) - f.shaded.opacity;
-            f.transmittance = {rest, rest, rest};
-        }
+        const DetailedFragment<Block> f =
+            shade_detail<Block>(surface, triangle, detail, light, point);
         store(i, at.depth, f.shaded, f.transmittance);
     }
 }

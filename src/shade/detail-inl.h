@@ -38,8 +38,16 @@ struct TriangleDetail {
 template <class L>
 struct DetailedFragment {
     Shaded<L> shaded;
-    Vector<L> transmittance;  // where the material transmits
+    Vector<L> transmittance;
 };
+
+// Of a surface through which nothing but its opacity's rest is seen.
+template <class L>
+HWY_INLINE DetailedFragment<L> plain_fragment(const Vector<L>& color, typename L::real opacity)
+{
+    const typename L::real rest = typename L::real(1.0f) - opacity;
+    return {{color.x, color.y, color.z, opacity}, {rest, rest, rest}};
+}
 
 template <class L>
 HWY_INLINE Footprint<L> footprint(const PreparedTexture& texture, const TriangleDetail& t,
@@ -163,22 +171,22 @@ HWY_INLINE Vector<L> at_most_one(const Vector<L>& v)
     return {L::min(v.x, one), L::min(v.y, one), L::min(v.z, one)};
 }
 
-// The fragment's colour and opacity once part of the light goes through in colours.
+// Of a surface that lets part of the light through in colours.
 template <class L>
-HWY_INLINE void transmit(const BaseColor<L>& base, const Split<L>& s, const Vector<L>& radiance,
-                         DetailedFragment<L>& f)
+HWY_INLINE DetailedFragment<L> glass_fragment(const BaseColor<L>& base, const Split<L>& s,
+                                              const Vector<L>& radiance)
 {
     using real = typename L::real;
     const real one(1.0f), zero(0.0f);
     const real through = base.opacity * s.transmission * (one - s.metallic) * real(1 - 0.04f);
     const real rest = one - base.opacity;
-    f.transmittance = at_most_one<L>(Vector<L>{rest, rest, rest} + through * base.color);
-    const real mean = (f.transmittance.x + f.transmittance.y + f.transmittance.z) * real(1.0f / 3);
+    const Vector<L> t = at_most_one<L>(Vector<L>{rest, rest, rest} + through * base.color);
+    const real mean = (t.x + t.y + t.z) * real(1.0f / 3);
     const real opacity = L::min(L::max(one - mean, zero), one);
     // Below a millionth there is nothing to see, and the colour's scale would not be finite.
     const real shown = L::zero_unless(opacity >= real(1e-6f), opacity);
     const real scale = L::zero_unless(shown > zero, base.opacity / shown);
-    f.shaded = {scale * radiance.x, scale * radiance.y, scale * radiance.z, shown};
+    return {{scale * radiance.x, scale * radiance.y, scale * radiance.z, shown}, t};
 }
 
 template <class L>
@@ -190,11 +198,8 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
     using real = typename L::real;
     const MaterialDetail& material = *surface.detail;
     const BaseColor<L> base = base_color<L>(surface, triangle, detail, p);
-    DetailedFragment<L> f;
     if (material.shading == Shading::unlit) {
-        const Vector<L> color = real(light.gain) * base.color;
-        f.shaded = {color.x, color.y, color.z, base.opacity};
-        return f;
+        return plain_fragment<L>(real(light.gain) * base.color, base.opacity);
     }
     const Vector<L> place = p.w1 * Vector<L>::of(detail.edge1) + p.w2 * Vector<L>::of(detail.edge2);
     LitPoint<L> point{place,      detail.light_places,
@@ -203,9 +208,7 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
                       real(1.0f)};
     const Vector<L> emitted = emission<L>(material, detail, p);
     if (material.shading == Shading::diffuse) {
-        const Vector<L> color = diffuse_radiance<L>(light, point) + emitted;
-        f.shaded = {color.x, color.y, color.z, base.opacity};
-        return f;
+        return plain_fragment<L>(diffuse_radiance<L>(light, point) + emitted, base.opacity);
     }
     const Split<L> s = split<L>(material, detail, p);
     const real one(1.0f);
@@ -213,10 +216,9 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
     point.at_front = at_most_one<L>(point.at_front);
     point.color = ((one - s.metallic) * (one - s.transmission)) * base.color;
     point.roughness = s.roughness;
-    const Vector<L> color = metallic_roughness_radiance<L>(light, point) + emitted;
-    f.shaded = {color.x, color.y, color.z, base.opacity};
-    if (material.transmission > 0) transmit<L>(base, s, color, f);
-    return f;
+    const Vector<L> radiance = metallic_roughness_radiance<L>(light, point) + emitted;
+    return material.transmission > 0 ? glass_fragment<L>(base, s, radiance)
+                                     : plain_fragment<L>(radiance, base.opacity);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

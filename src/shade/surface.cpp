@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "scene/material_textures.h"
+#include "scene/transparency.h"
 #include "support/math.h"
 #include "support/parallel.h"
 
@@ -28,17 +30,11 @@ Float3 times(const Float3& color, float factor)
 
 bool needs_detail(const Scene& scene, const Material& m)
 {
-    const bool textured = m.base_color_texture || m.metallic_roughness_texture ||
-                          m.normal_texture || m.emission_texture || m.transmission_texture;
     if (m.shading == Shading::unlit) return m.base_color_texture.has_value();
+    const bool textured = std::any_of(kMaterialTextures.begin(), kMaterialTextures.end(),
+                                      [&](const auto texture) { return (m.*texture).has_value(); });
     return textured || m.shading == Shading::metallic_roughness || m.emission != Float3{0, 0, 0} ||
            !scene.lights.empty();
-}
-
-// Of transmission only what metallic-roughness knows.
-float transmission_of(const Material& m)
-{
-    return m.shading == Shading::metallic_roughness ? m.transmission : 0.0f;
 }
 
 TexelUse base_color_use(const Material& m)
@@ -102,7 +98,7 @@ MaterialDetail make_detail(const Material& m, float gain, TextureMaker& textures
     MaterialDetail detail{m.shading,
                           m.metallic,
                           m.roughness,
-                          transmission_of(m),
+                          is_glass(m) ? m.transmission : 0.0f,
                           m.normal_scale,
                           times(m.emission, gain),
                           textures.prepare(m.base_color_texture, base_color_use(m)),
@@ -118,7 +114,7 @@ MaterialDetail make_detail(const Material& m, float gain, TextureMaker& textures
     detail.emission_map = textures.prepare(m.emission_texture, TexelUse::color);
     if (m.shading != Shading::metallic_roughness) return detail;
     detail.metallic_roughness = textures.prepare(m.metallic_roughness_texture, TexelUse::data);
-    if (m.transmission > 0) {
+    if (is_glass(m)) {
         detail.transmission_map = textures.prepare(m.transmission_texture, TexelUse::data);
     }
     return detail;
@@ -142,7 +138,6 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
     const Mesh& mesh = scene.meshes[object.mesh];
     const Material& m = scene.materials[mesh.material];
     const auto& detail = result.details[mesh.material];
-    const bool transmits = transmission_of(m) > 0;
     const bool opaque = m.alpha_mode == AlphaMode::opaque;
     Surface surface{detail ? m.base_color : times(m.base_color, gain),
                     opaque ? 1.0f : std::clamp(m.opacity, 0.0f, 1.0f),
@@ -151,11 +146,11 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
                     m.shading,
                     !mesh.colors.empty(),
                     object.id};
-    surface.transparent = m.alpha_mode == AlphaMode::blend || transmits || object.opacity < 1;
+    surface.transparent = is_transparent(m, object);
     surface.object_opacity = object.opacity;
     surface.detail = detail ? &*detail : nullptr;
     surface.may_vanish = surface.has_vertex_colors || m.alpha_mode == AlphaMode::mask ||
-                         transmits || m.base_color_texture.has_value();
+                         is_glass(m) || m.base_color_texture.has_value();
     return surface;
 }
 

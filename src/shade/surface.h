@@ -27,10 +27,6 @@ struct MaterialDetail {
     Float3 emission;  // times 2^exposure
     std::optional<PreparedTexture> base_color, metallic_roughness, normal, emission_map,
         transmission_map;
-    bool textured() const
-    {
-        return base_color || metallic_roughness || normal || emission_map || transmission_map;
-    }
 };
 
 // One for each object of the scene.

@@ -8,17 +8,11 @@
 
 #include "image/decode_texture.h"
 #include "scene/gltf/uri.h"
+#include "scene/material_textures.h"
 
 namespace sheer::gltf {
 
 namespace {
-
-using TextureMember = std::optional<Texture> Material::*;
-
-constexpr TextureMember kTextures[] = {
-    &Material::base_color_texture, &Material::metallic_roughness_texture, &Material::normal_texture,
-    &Material::emission_texture,   &Material::transmission_texture,
-};
 
 constexpr std::size_t kMaxName = 128;
 
@@ -108,7 +102,7 @@ void load_images(Import& import)
     for (const Mesh& mesh : import.scene.meshes) is_used[mesh.material] = true;
     LoadedImages images(import);
     for (std::size_t i = 0; i < materials.size(); ++i) {
-        for (const TextureMember member : kTextures) {
+        for (const auto member : kMaterialTextures) {
             std::optional<Texture>& texture = materials[i].*member;
             if (!texture) continue;
             const auto number = is_used[i] ? images.number_of(texture->image) : std::nullopt;
