@@ -8,6 +8,7 @@
 #include <sheer/error.h>
 
 #include "scene/material_textures.h"
+#include "scene/topology.h"
 
 namespace sheer {
 
@@ -32,24 +33,19 @@ bool are_colors(const Values& values)
     return std::all_of(values.begin(), values.end(), [](float v) { return v >= 0 && v <= 1e6f; });
 }
 
-std::size_t corners_of(Topology topology)
+// Of a mesh's vertices: one for each position, or none.
+template <class Values>
+void check_count(const std::string& mesh, const char* what, const std::vector<Values>& values,
+                 std::size_t positions)
 {
-    switch (topology) {
-        case Topology::triangles: return 3;
-        case Topology::lines: return 2;
-        case Topology::points: return 1;
+    if (!values.empty() && values.size() != positions) {
+        refuse(mesh + ": as many " + what + " as positions are needed, or none");
     }
-    return 1;
 }
 
 template <class Values>
-void check_optional(const std::string& mesh, const char* what, const std::vector<Values>& values,
-                    std::size_t positions)
+void check_finite(const std::string& mesh, const char* what, const std::vector<Values>& values)
 {
-    if (values.empty()) return;
-    if (values.size() != positions) {
-        refuse(mesh + ": as many " + what + " as positions are needed, or none");
-    }
     for (const Values& v : values) {
         if (!are_finite(v)) refuse(mesh + ": its " + what + " are not all finite");
     }
@@ -59,24 +55,24 @@ void check_mesh(const Mesh& mesh, std::size_t number, std::size_t materials)
 {
     const std::string name = "mesh " + std::to_string(number);
     if (mesh.material >= materials) refuse(name + ": its material does not exist");
-    if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size()) {
-        refuse(name + ": as many normals as positions are needed, or none");
+    const std::size_t positions = mesh.positions.size();
+    check_count(name, "normals", mesh.normals, positions);
+    check_count(name, "colours", mesh.colors, positions);
+    check_count(name, "tangents", mesh.tangents, positions);
+    for (const auto& set : mesh.texcoords) {
+        check_count(name, "texture coordinates", set, positions);
+        check_finite(name, "texture coordinates", set);
     }
-    if (!mesh.colors.empty() && mesh.colors.size() != mesh.positions.size()) {
-        refuse(name + ": as many colours as positions are needed, or none");
-    }
-    const std::size_t corners = corners_of(mesh.topology);
+    check_finite(name, "tangents", mesh.tangents);
+    const std::size_t corners = vertices_of_one(mesh.topology);
     if (mesh.indices.size() % corners != 0) {
         refuse(name + ": the number of indices is no multiple of " + std::to_string(corners));
     }
     if (!(mesh.width >= 0 && mesh.width <= 1e6f)) {
         refuse(name + ": its width is not between 0 and 1,000,000");
     }
-    check_optional(name, "texture coordinates", mesh.texcoords[0], mesh.positions.size());
-    check_optional(name, "texture coordinates", mesh.texcoords[1], mesh.positions.size());
-    check_optional(name, "tangents", mesh.tangents, mesh.positions.size());
     for (const std::uint32_t index : mesh.indices) {
-        if (index >= mesh.positions.size()) refuse(name + ": an index is beyond its positions");
+        if (index >= positions) refuse(name + ": an index is beyond its positions");
     }
     for (const Float3& p : mesh.positions) {
         if (!are_finite(p)) refuse(name + ": a position is not finite");

@@ -2,13 +2,13 @@
 #include "geometry/pose.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numeric>
 
 #include <sheer/error.h>
 
 #include "support/parallel.h"
+#include "support/vec3.h"
 
 namespace sheer {
 
@@ -121,17 +121,9 @@ void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, 
 
 Float4 pose_tangent(const Float4& tangent, const Mat4& world, bool mirrored)
 {
-    double t[3], squared = 0;
-    for (std::size_t r = 0; r < 3; ++r) {
-        t[r] = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
-            t[r] += static_cast<double>(world[4 * c + r]) * static_cast<double>(tangent[c]);
-        }
-        squared += t[r] * t[r];
-    }
-    const double scale = squared > 0 && std::isfinite(squared) ? 1 / std::sqrt(squared) : 0;
-    return {static_cast<float>(t[0] * scale), static_cast<float>(t[1] * scale),
-            static_cast<float>(t[2] * scale), mirrored ? -tangent[3] : tangent[3]};
+    const Float3 t =
+        to_float3(normalized(turned(world, to_vec3d({tangent[0], tangent[1], tangent[2]}))));
+    return {t[0], t[1], t[2], mirrored ? -tangent[3] : tangent[3]};
 }
 
 void pose_texture_range(const DrawnObject& object, bool mirrored, std::size_t begin,

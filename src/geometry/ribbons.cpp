@@ -29,7 +29,7 @@ public:
 
     Vec3d place(std::uint32_t vertex) const
     {
-        return turned(to_vec3d(source_.positions[vertex])) + column(3);
+        return turned(to_world_, to_vec3d(source_.positions[vertex])) + column(3);
     }
 
     // Towards the eye.
@@ -84,13 +84,11 @@ private:
         return to_vec3d({to_world_[4 * c], to_world_[4 * c + 1], to_world_[4 * c + 2]});
     }
 
-    Vec3d turned(Vec3d a) const { return a.x * column(0) + a.y * column(1) + a.z * column(2); }
-
     // The line's own normal turned as a direction, which is right where nothing is stretched.
     Vec3d normal(std::uint32_t vertex, Vec3d facing) const
     {
         if (source_.normals.empty()) return facing;
-        return normalized(turned(to_vec3d(source_.normals[vertex])));
+        return normalized(turned(to_world_, to_vec3d(source_.normals[vertex])));
     }
 
     const Mesh& source_;

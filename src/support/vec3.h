@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace sheer {
 
@@ -50,6 +51,15 @@ inline Vec3d to_vec3d(const std::array<float, 3>& a)
 inline std::array<float, 3> to_float3(Vec3d a)
 {
     return {static_cast<float>(a.x), static_cast<float>(a.y), static_cast<float>(a.z)};
+}
+
+// As a direction: by the 3x3 part of a column-major 4x4 matrix.
+inline Vec3d turned(const std::array<float, 16>& m, Vec3d a)
+{
+    const auto column = [&](std::size_t c) {
+        return to_vec3d({m[4 * c], m[4 * c + 1], m[4 * c + 2]});
+    };
+    return a.x * column(0) + a.y * column(1) + a.z * column(2);
 }
 
 }  // namespace sheer

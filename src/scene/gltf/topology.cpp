@@ -44,12 +44,6 @@ Topology topology_of(Mode mode)
     return mode < Mode::triangles ? Topology::lines : Topology::triangles;
 }
 
-std::size_t vertices_of_one(Topology topology)
-{
-    if (topology == Topology::points) return 1;
-    return topology == Topology::lines ? 2 : 3;
-}
-
 std::vector<std::uint32_t> plain_indices(Mode mode, const std::vector<std::uint32_t>& indices)
 {
     const std::size_t count = count_of(mode, indices.size());

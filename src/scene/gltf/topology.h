@@ -6,13 +6,14 @@
 
 #include <sheer/scene.h>
 
+#include "scene/topology.h"
+
 namespace sheer::gltf {
 
 // glTF 2.0, mesh.primitive.mode.
 enum class Mode { points, lines, line_loop, line_strip, triangles, triangle_strip, triangle_fan };
 
 Topology topology_of(Mode mode);
-std::size_t vertices_of_one(Topology topology);  // 3, 2 or 1
 
 // The triangles, lines or points that the indices stand for, one after another. Vertices at the end
 // that make no whole one are left out.
