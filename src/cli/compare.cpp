@@ -65,11 +65,7 @@ void check_request(CompareRequest& request)
         check_view_options(request.given);
     }
     for (const std::string& method : request.methods) {
-        const MethodRow* row = check_option("--methods", [&] { return choose_method(method); }).row;
-        if (row->bench_only) {
-            throw Error(Fault::input,
-                        "--methods: '" + method + "' makes no picture; it is for 'bench'");
-        }
+        check_makes_picture("--methods", method);
     }
 }
 

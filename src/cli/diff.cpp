@@ -17,6 +17,7 @@
 #include "compare/metrics.h"
 #include "image/read_image.h"
 #include "image/write_image.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -38,11 +39,6 @@ struct DiffResult {
 std::string at_pixel(int x, int y)
 {
     return std::to_string(x) + "," + std::to_string(y);
-}
-
-std::string size_text(const Image& image)
-{
-    return std::to_string(image.width) + "x" + std::to_string(image.height);
 }
 
 // Whatever can be known to be wrong before the pictures are read.
@@ -73,8 +69,9 @@ DiffResult compare(const DiffRequest& request)
     const Image a = read_image(request.a);
     const Image b = read_image(request.b);
     if (a.width != b.width || a.height != b.height) {
-        throw Error(Fault::input, request.b + ": " + size_text(b) + " pixels, but " + request.a +
-                                      " has " + size_text(a));
+        throw Error(Fault::input, request.b + ": " + size_text(b.width, b.height) +
+                                      " pixels, but " + request.a + " has " +
+                                      size_text(a.width, a.height));
     }
     check_finite(request.a, a, b);
     check_finite(request.b, b, a);

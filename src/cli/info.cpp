@@ -12,6 +12,7 @@
 #include "cli/output.h"
 #include "cli/scene_options.h"
 #include "scene/transparency.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -159,11 +160,6 @@ std::string sum_text(const Counts<N>& counts, const Names<N>& names, std::uint64
     return with_commas(sum(counts)) + text;
 }
 
-std::string size_text(const TextureImage& image)
-{
-    return std::to_string(image.width) + "x" + std::to_string(image.height);
-}
-
 std::string textures_text(const Scene& scene, const SceneCounts& counts)
 {
     if (scene.images.empty()) return "none";
@@ -171,9 +167,9 @@ std::string textures_text(const Scene& scene, const SceneCounts& counts)
         scene.images.begin(), scene.images.end(), [](const TextureImage& a, const TextureImage& b) {
             return a.texels.size() < b.texels.size();
         });
-    const std::string range = size_text(*least) == size_text(*most)
-                                  ? size_text(*least)
-                                  : size_text(*least) + " to " + size_text(*most);
+    const std::string from = size_text(least->width, least->height);
+    const std::string to = size_text(most->width, most->height);
+    const std::string range = from == to ? from : from + " to " + to;
     return counted(scene.images.size(), "image") + " of " + range + ", " +
            counted(counts.texels * kBytesPerTexel, "byte");
 }

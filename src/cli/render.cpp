@@ -15,7 +15,6 @@
 #include "cli/view_options.h"
 #include "image/write_channels.h"
 #include "image/write_image.h"
-#include "methods/method.h"
 #include "support/memory.h"
 #include "support/progress.h"
 #include "support/whole_file.h"
@@ -33,19 +32,11 @@ struct RenderRequest {
     bool json = false;
 };
 
-void check_method(const std::string& text)
-{
-    const ChosenMethod method = check_option("--method", [&] { return choose_method(text); });
-    if (method.row->bench_only) {
-        throw Error(Fault::input, "--method: '" + text + "' makes no picture; it is for 'bench'");
-    }
-}
-
 // Whatever can be known to be wrong before the scene is read.
 void check_request(const RenderRequest& request)
 {
     check_view_options(request.given);
-    check_method(request.given.options.method);
+    check_makes_picture("--method", request.given.options.method);
     check_image_path(request.output);
     if (!request.stats.empty()) check_writable(request.stats);
     if (!request.channels.empty()) check_channels_path(request.channels);

@@ -7,6 +7,7 @@
 #include "api/check.h"
 #include "cli/values.h"
 #include "lanes/targets.h"
+#include "methods/method.h"
 #include "support/memory.h"
 #include "support/text.h"
 
@@ -140,6 +141,14 @@ void add_seed(CLI::App& command, Options& options)
               [&options](auto& option, auto& text) {
                   options.seed = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
               });
+}
+
+void check_makes_picture(const std::string& option, const std::string& method)
+{
+    if (check_option(option, [&] { return choose_method(method); }).row->bench_only) {
+        throw Error(Fault::input,
+                    option + ": '" + method + "' makes no picture; it is for 'bench'");
+    }
 }
 
 void check_memory(const Options& options)

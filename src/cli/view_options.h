@@ -25,6 +25,10 @@ using ReadValue = std::function<void(const std::string& option, const std::strin
 CLI::Option* add_value(CLI::App& command, const std::string& names, const std::string& value,
                        const std::string& what, ReadValue read);
 
+// Throws Error(Fault::input) that names the option when there is no such method, or when it is for
+// `bench` alone.
+void check_makes_picture(const std::string& option, const std::string& method);
+
 // Throws Error(Fault::work) if the process has taken more than the memory limit: reading a scene
 // takes what it takes.
 void check_memory(const Options& options);

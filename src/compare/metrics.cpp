@@ -12,16 +12,12 @@
 #include <sheer/error.h>
 
 #include "support/math.h"
+#include "support/text.h"
 
 namespace sheer {
 namespace {
 
 using Rgb = std::array<double, 3>;
-
-std::string size_text(const Image& image)
-{
-    return std::to_string(image.width) + "x" + std::to_string(image.height);
-}
 
 std::size_t index_of(int width, int x, int y)
 {
@@ -86,8 +82,8 @@ void find_largest(const Image& a, const Image& b, Difference& difference)
 void check_sizes(const Image& a, const Image& b)
 {
     if (a.width != b.width || a.height != b.height) {
-        throw Error(Fault::input, "pictures of " + size_text(a) + " and " + size_text(b) +
-                                      " pixels cannot be compared");
+        throw Error(Fault::input, "pictures of " + size_text(a.width, a.height) + " and " +
+                                      size_text(b.width, b.height) + " pixels cannot be compared");
     }
     if (a.pixels.empty()) throw Error(Fault::input, "pictures without pixels have no distance");
 }

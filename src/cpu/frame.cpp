@@ -192,7 +192,7 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
 std::uint64_t geometry_bytes(const Scene& scene)
 {
     const bool textured = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
-        return !m.texcoords[0].empty() || !m.texcoords[1].empty();
+        return !m.texcoords[0].empty() || !m.texcoords[1].empty() || !m.tangents.empty();
     });
     const std::size_t attribute_bytes =
         sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0);
@@ -313,7 +313,9 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     total.start();
     const std::span<const Take> takes = request.takes;
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
-    require_memory(options.memory_limit, geometry_bytes(scene) + texture_bytes(scene, wanted));
+    if (options.memory_limit != 0) {
+        require_memory(options.memory_limit, geometry_bytes(scene) + texture_bytes(scene, wanted));
+    }
     const TargetSet targets = targets_of(options.simd);
     const SampleSet samples = make_sample_set(view.samples, view.positions, request.shift);
     const SampleFilter filter(view.filter, samples);

@@ -35,7 +35,6 @@ constexpr std::size_t kMostStore = 512 * kMiB;
 
 void require_memory(std::uint64_t limit, std::uint64_t bytes)
 {
-    if (limit == 0) return;
     const std::uint64_t needed = resident_memory_bytes() + kSlack + bytes;
     if (needed > limit) refuse(limit, needed);
 }

@@ -22,7 +22,7 @@ struct MemoryPlan {
 };
 
 // Throws Error(Fault::work) that says how much is needed when `bytes` more would not stay below the
-// limit.
+// limit, which there is.
 void require_memory(std::uint64_t limit, std::uint64_t bytes);
 
 // Throws the same when not even one thread can work, or when

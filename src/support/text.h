@@ -19,4 +19,10 @@ inline std::vector<std::string> split(std::string_view text, char separator)
     }
 }
 
+// "640x480"
+inline std::string size_text(int width, int height)
+{
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 }  // namespace sheer

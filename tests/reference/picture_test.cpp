@@ -6,23 +6,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "near.h"
 #include "small_scenes.h"
 
 namespace sheer::reference {
 namespace {
 
-constexpr double kExact = 1e-12;
 constexpr Float3 kRed = {1, 0, 0};
 constexpr Float3 kGreen = {0, 1, 0};
 constexpr Float3 kBlue = {0, 0, 1};
-
-void expect_near(const Rgba& actual, const Rgba& expected)
-{
-    EXPECT_NEAR(actual.r, expected.r, kExact);
-    EXPECT_NEAR(actual.g, expected.g, kExact);
-    EXPECT_NEAR(actual.b, expected.b, kExact);
-    EXPECT_NEAR(actual.a, expected.a, kExact);
-}
 
 TEST(Picture, NothingIsTheBackground)
 {

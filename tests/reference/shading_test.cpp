@@ -3,22 +3,12 @@
 
 #include <cmath>
 
+#include "near.h"
 #include "small_images.h"
 #include "small_scenes.h"
 
 namespace sheer::reference {
 namespace {
-
-// Factors of the scenes are multiples of 1/64, exact in floats, and so is what becomes of them.
-constexpr double kExact = 1e-12;
-
-void expect_near(const Rgba& actual, const Rgba& expected)
-{
-    EXPECT_NEAR(actual.r, expected.r, kExact);
-    EXPECT_NEAR(actual.g, expected.g, kExact);
-    EXPECT_NEAR(actual.b, expected.b, kExact);
-    EXPECT_NEAR(actual.a, expected.a, kExact);
-}
 
 TEST(ReferenceShading, EachPixelReadsItsTexel)
 {

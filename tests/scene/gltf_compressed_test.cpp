@@ -376,8 +376,7 @@ TEST(GltfMeshopt, FiltersAreApplied)
 {
     Builder builder = one_triangle();
     // 1 of 8 bits is 127; all three normals look down the second coordinate.
-    std::vector<std::int8_t> normals;
-    for (int i = 0; i < 3; ++i) normals.insert(normals.end(), {0, 127, 127, 0});
+    const std::vector<std::int8_t> normals = {0, 127, 127, 0, 0, 127, 127, 0, 0, 127, 127, 0};
     const std::size_t view =
         compressed_view(builder, encode_attributes(normals.data(), 3, 4), "ATTRIBUTES", 3, 4);
     Json& made = builder.json["bufferViews"][view];

@@ -227,7 +227,7 @@ TEST(Mtl, FilesOutsideOfTheFolderMayBeAllowed)
     scenery.write_png("a.png", {kOpaque});
     scenery.write("inner/b.obj", "mtllib ../a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl m\nf 1 2 3\n");
     const std::string path = scenery.path() + "/inner/b.obj";
-    for (const std::string image : {scenery.path() + "/a.png", std::string("..\\a.png")}) {
+    for (const std::string& image : {scenery.path() + "/a.png", std::string("..\\a.png")}) {
         scenery.write("a.mtl", "newmtl m\nmap_Kd " + image + "\n");
         const Scene scene = read_obj(path, read_file(path), anywhere);
         EXPECT_TRUE(scene.ignored.empty());

@@ -207,8 +207,8 @@ Camera make_camera()
     camera.znear = 1;
     const shapes::Vec target = {0.67, -0.27, -0.10};
     const shapes::Vec back = shapes::normalize({0.90, 0.45, 0.75});
-    const shapes::Vec right = shapes::normalize(shapes::cross({0, 1, 0}, back));
-    const Placement pose = {right, shapes::cross(back, right), back, target + 10.9 * back};
+    const shapes::Vec right = shapes::normalize(cross({0, 1, 0}, back));
+    const Placement pose = {right, cross(back, right), back, target + 10.9 * back};
     camera.transform = shapes::to_matrix(pose);
     return camera;
 }

@@ -9,34 +9,13 @@
 
 #include <sheer/scene.h>
 
+#include "support/vec3.h"
+
 namespace sheer::shapes {
 
 inline constexpr double kPi = 3.14159265358979323846;
 
-struct Vec {
-    double x = 0, y = 0, z = 0;
-};
-
-inline Vec operator+(Vec a, Vec b)
-{
-    return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec operator-(Vec a, Vec b)
-{
-    return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec operator*(double s, Vec v)
-{
-    return {s * v.x, s * v.y, s * v.z};
-}
-inline double dot(Vec a, Vec b)
-{
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Vec cross(Vec a, Vec b)
-{
-    return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
+using Vec = Vec3d;
 Vec normalize(Vec v);  // a zero vector stays one
 
 // The point at distance r from the x axis, `angle` around it from +y towards +z.

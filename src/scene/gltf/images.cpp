@@ -4,7 +4,8 @@
 #include "scene/gltf/images.h"
 
 #include <map>
-#include <string>
+#include <string_view>
+#include <utility>
 
 #include "image/decode_texture.h"
 #include "scene/gltf/uri.h"
@@ -56,41 +57,38 @@ std::optional<TextureImage> load(Import& import, const Value& image)
     return decoded;
 }
 
-// The number in Scene::images of one of the file's.
+// The number in Scene::images of one of the file's. Several may name the same bytes, and a small
+// file could ask for them without end: they are decoded once.
 class LoadedImages {
 public:
     explicit LoadedImages(Import& import) : import_(import) {}
 
     std::optional<std::uint32_t> number_of(std::uint32_t image)
     {
-        if (const auto known = numbers_.find(image); known != numbers_.end()) return known->second;
         const Value value = import_.document.item("images", image);
-        const std::string source = source_of(value);
-        std::optional<std::uint32_t>& number = numbers_[image];
-        if (const auto known = sources_.find(source); known != sources_.end()) {
-            return number = known->second;
-        }
-        auto loaded = load(import_, value);
+        const auto [entry, is_new] = numbers_.try_emplace(source_of(value));
+        if (!is_new) return entry->second;
         auto& images = import_.scene.images;
-        if (loaded) {
-            number = static_cast<std::uint32_t>(images.size());
+        if (auto loaded = load(import_, value)) {
+            entry->second = static_cast<std::uint32_t>(images.size());
             images.push_back(std::move(*loaded));
         }
-        return sources_[source] = number;
+        return entry->second;
     }
 
 private:
-    // Several images may name the same bytes: a small file could ask for them without end.
-    static std::string source_of(const Value& image)
+    // A bufferView's number, or a uri, whose text is the document's.
+    using Source = std::pair<std::optional<std::uint64_t>, std::string_view>;
+
+    static Source source_of(const Value& image)
     {
-        if (const auto view = image.find("bufferView")) return std::to_string(view->whole());
+        if (const auto view = image.find("bufferView")) return {view->whole(), {}};
         const auto uri = image.find("uri");
-        return uri ? "uri " + uri->text() : "";
+        return {std::nullopt, uri ? std::string_view(uri->text()) : std::string_view()};
     }
 
     Import& import_;
-    std::map<std::uint32_t, std::optional<std::uint32_t>> numbers_;
-    std::map<std::string, std::optional<std::uint32_t>> sources_;
+    std::map<Source, std::optional<std::uint32_t>> numbers_;
 };
 
 }  // namespace
