@@ -5,16 +5,12 @@
 #include <mutex>
 #include <utility>
 
-#include "cpu/channels.h"
-#include "cpu/filter.h"
-#include "cpu/memory_plan.h"
+#include "cpu/frame_job.h"
+#include "cpu/frame_memory.h"
+#include "cpu/frame_stats.h"
 #include "cpu/stopwatch.h"
-#include "cpu/take_groups.h"
-#include "cpu/tile_mean.h"
-#include "cpu/tile_passes.h"
 #include "geometry/build.h"
 #include "geometry/object_distances.h"
-#include "geometry/pose.h"
 #include "scene/camera.h"
 #include "support/memory.h"
 #include "support/parallel.h"
@@ -26,33 +22,6 @@ namespace {
 
 // Light grey, linear.
 constexpr Float4 kDefaultBackground = {0.6f, 0.6f, 0.6f, 1.0f};
-
-// What all tiles read.
-struct FrameJob {
-    std::span<const Take> takes;
-    std::vector<Group> groups;
-    const Geometry& geometry;
-    const FrameSurfaces& surfaces;
-    const SampleSet& samples;
-    const SampleFilter& filter;
-    TileGrid grid;
-    Float4 background;
-    EyeSpace eye;
-    std::vector<StoreVerbs> verbs;  // of each take
-    TileFragmentsFunction tile_fragments;
-    int stream_capacity;
-    std::size_t store_bytes;  // for a store that grows
-};
-
-// What one thread works with, tile after tile.
-struct Worker {
-    TilePasses passes;
-    SampleColors colors;
-    std::vector<TileStore> stores;  // of each take
-    std::vector<Float4> pixels;
-    TileMean mean;
-    ChannelTile channels;
-};
 
 std::unique_ptr<Worker> make_worker(const FrameJob& job)
 {
@@ -147,138 +116,6 @@ private:
     std::mutex mutex_;
 };
 
-using Workers = std::vector<std::unique_ptr<Worker>>;
-
-// The stages of one take, summed over the threads.
-void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats& stats)
-{
-    const Submission submission = submission_of(job.takes[take]);
-    for (const auto& worker : workers) {
-        if (!worker) continue;
-        const TileStore& store = worker->stores[take];
-        stats.fragments += store.fragments;
-        stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(submission);
-        stats.ms_store += store.storing.ms();
-        stats.ms_resolve += store.resolving.ms();
-    }
-    const double threads = stats.threads;
-    stats.ms_raster_shade /= threads;
-    stats.ms_store /= threads;
-    stats.ms_resolve /= threads;
-    stats.ms_passes = {{"fragments", stats.ms_raster_shade + stats.ms_store}};
-    stats.fragments /= job.takes[take].keys.size();
-}
-
-Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number, Stats common)
-{
-    const ChosenMethod& method = job.takes[number].method;
-    Stats stats = std::move(common);
-    stats.method = method.row->id;
-    stats.parameters = method.parameters_text();
-    stats.passes = method.row->passes;
-    sum_up(workers, job, number, stats);
-    // Of several takes each would have needed the geometry and its own stages.
-    if (job.takes.size() > 1) {
-        stats.ms_total =
-            stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
-    }
-    const double pixels = static_cast<double>(stats.width) * stats.height;
-    stats.bytes_per_pixel =
-        method.row->bytes_per_pixel(stats.samples, static_cast<double>(stats.fragments) / pixels);
-    return stats;
-}
-
-// At most: posed vertices, and triangles in chunks that grow, none of them culled.
-std::uint64_t geometry_bytes(const Scene& scene)
-{
-    const bool textured = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
-        return !m.texcoords[0].empty() || !m.texcoords[1].empty() || !m.tangents.empty();
-    });
-    const std::size_t attribute_bytes =
-        sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0);
-    const std::size_t vertex_bytes = sizeof(PosedVertex) + attribute_bytes;
-    constexpr std::size_t kTriangleBytes = 2 * sizeof(Triangle) + 4 * sizeof(std::uint32_t);
-    // Of a ribbon or square on its way, which is a mesh of its own.
-    constexpr std::size_t kMadeBytes =
-        3 * (2 * sizeof(Float3) + sizeof(Float4) + 2 * sizeof(Float2));
-    std::uint64_t bytes = 0;
-    for (const Object& object : scene.objects) {
-        const Mesh& mesh = scene.meshes[object.mesh];
-        const std::size_t indices = mesh.indices.size();
-        switch (mesh.topology) {
-            case Topology::triangles:
-                bytes += mesh.positions.size() * vertex_bytes + indices / 3 * kTriangleBytes;
-                // Vertices of their own, in a vector that grows.
-                if (mesh.normals.empty()) bytes += 2 * indices * attribute_bytes;
-                // Tangents on their way.
-                if (mesh.tangents.empty() && scene.materials[mesh.material].normal_texture) {
-                    bytes += mesh.positions.size() * (9 * sizeof(double) + sizeof(Float4));
-                }
-                break;
-            case Topology::lines:
-                bytes += indices * (2 * (vertex_bytes + kMadeBytes) + kTriangleBytes);
-                break;
-            case Topology::points:
-                bytes += indices * (4 * (vertex_bytes + kMadeBytes) + 2 * kTriangleBytes);
-                break;
-        }
-    }
-    return bytes;
-}
-
-std::size_t most_triangles_of_a_tile(const Geometry& geometry, int tiles)
-{
-    std::vector<std::size_t> counts(static_cast<std::size_t>(tiles));
-    for (const TriangleChunk& chunk : geometry.chunks) {
-        for (std::size_t t = 0; t + 1 < chunk.tile_begin.size(); ++t) {
-            counts[t] += chunk.tile_begin[t + 1] - chunk.tile_begin[t];
-        }
-    }
-    return counts.empty() ? 0 : *std::max_element(counts.begin(), counts.end());
-}
-
-// Of one thread, but for the stores that grow. A vector that grows holds its old contents beside
-// the new for a while: three times what it was.
-std::size_t thread_bytes(const FrameJob& job)
-{
-    const auto samples = static_cast<std::size_t>(job.samples.count);
-    const std::size_t pixel_samples = kTilePixels * samples;
-    const std::size_t per_fragment = sizeof(FragmentRun) + 19 * sizeof(float);
-    std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
-                        pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
-    const std::size_t triangles = most_triangles_of_a_tile(job.geometry, job.grid.count());
-    if (job.surfaces.any_opaque) {
-        bytes += pixel_samples * 6 * sizeof(float) + triangles * 3 * sizeof(OpaqueSurface);
-    }
-    const bool sorts = std::any_of(job.groups.begin(), job.groups.end(), [](const Group& group) {
-        return group.submission != Submission::as_given;
-    });
-    if (sorts) bytes += triangles * 4 * sizeof(SortedTriangle);  // and what stable_sort takes
-    for (const Take& take : job.takes) {
-        if (!take.method.row->bounded) continue;
-        bytes += kTilePixels *
-                 static_cast<std::size_t>(take.method.row->bytes_per_pixel(job.samples.count, 0));
-    }
-    return bytes;
-}
-
-MemoryPlan plan(const FrameJob& job, const Options& options, std::uint64_t reserved, int threads)
-{
-    MemoryNeeds needs{.limit = options.memory_limit,
-                      .pixels = static_cast<std::uint64_t>(job.grid.width) *
-                                static_cast<std::uint64_t>(job.grid.height),
-                      .pictures = options.channels ? 1u : 0u,
-                      .thread_bytes = thread_bytes(job),
-                      .growing_stores = 0,
-                      .threads = threads,
-                      .reserved = reserved};
-    for (const Take& take : job.takes) {
-        needs.pictures += take.variance ? 2 : 1;
-        if (!take.method.row->bounded) ++needs.growing_stores;
-    }
-    return plan_memory(needs);
-}
-
 EyeSpace eye_space(const Projection& projection)
 {
     return {projection.orthographic, static_cast<float>(projection.znear),
@@ -350,7 +187,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
             (colored ? row.colored_verbs : row.verbs)(targets, take.method, samples.count));
     }
     job.stream_capacity = stream_capacity(job.groups);
-    const MemoryPlan memory = plan(job, options, request.reserved_memory, geometry_threads);
+    const MemoryPlan memory =
+        plan_frame_memory(job, options, request.reserved_memory, geometry_threads);
     job.store_bytes = memory.store_bytes;
 
     FrameTakes result;

@@ -1,0 +1,45 @@
+// What is known of a frame before its tiles are drawn, and what draws them.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cpu/channels.h"
+#include "cpu/filter.h"
+#include "cpu/take_groups.h"
+#include "cpu/tile_mean.h"
+#include "cpu/tile_passes.h"
+
+namespace sheer {
+
+// What all tiles read.
+struct FrameJob {
+    std::span<const Take> takes;
+    std::vector<Group> groups;
+    const Geometry& geometry;
+    const FrameSurfaces& surfaces;
+    const SampleSet& samples;
+    const SampleFilter& filter;
+    TileGrid grid;
+    Float4 background;
+    EyeSpace eye;
+    std::vector<StoreVerbs> verbs;  // of each take
+    TileFragmentsFunction tile_fragments;
+    int stream_capacity;
+    std::size_t store_bytes;  // for a store that grows
+};
+
+// What one thread works with, tile after tile.
+struct Worker {
+    TilePasses passes;
+    SampleColors colors;
+    std::vector<TileStore> stores;  // of each take
+    std::vector<Float4> pixels;
+    TileMean mean;
+    ChannelTile channels;
+};
+
+using Workers = std::vector<std::unique_ptr<Worker>>;
+
+}  // namespace sheer

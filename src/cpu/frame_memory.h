@@ -1,0 +1,22 @@
+// What a frame will take, before it takes it.
+#pragma once
+
+#include <cstdint>
+
+#include <sheer/render.h>
+#include <sheer/scene.h>
+
+#include "cpu/frame_job.h"
+#include "cpu/memory_plan.h"
+
+namespace sheer {
+
+// Of the scene's geometry, at most.
+std::uint64_t geometry_bytes(const Scene& scene);
+
+// Throws Error(Fault::work) as plan_memory does. `reserved`: bytes that the caller will need
+// besides; `threads`: wanted.
+MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::uint64_t reserved,
+                             int threads);
+
+}  // namespace sheer

@@ -1,0 +1,51 @@
+// Times are those of the threads, divided by their number.
+#include "cpu/frame_stats.h"
+
+#include <utility>
+
+namespace sheer {
+
+namespace {
+
+// The stages of one take, summed over the threads.
+void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats& stats)
+{
+    const Submission submission = submission_of(job.takes[take]);
+    for (const auto& worker : workers) {
+        if (!worker) continue;
+        const TileStore& store = worker->stores[take];
+        stats.fragments += store.fragments;
+        stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(submission);
+        stats.ms_store += store.storing.ms();
+        stats.ms_resolve += store.resolving.ms();
+    }
+    const double threads = stats.threads;
+    stats.ms_raster_shade /= threads;
+    stats.ms_store /= threads;
+    stats.ms_resolve /= threads;
+    stats.ms_passes = {{"fragments", stats.ms_raster_shade + stats.ms_store}};
+    stats.fragments /= job.takes[take].keys.size();
+}
+
+}  // namespace
+
+Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number, Stats common)
+{
+    const ChosenMethod& method = job.takes[number].method;
+    Stats stats = std::move(common);
+    stats.method = method.row->id;
+    stats.parameters = method.parameters_text();
+    stats.passes = method.row->passes;
+    sum_up(workers, job, number, stats);
+    // Of several takes each would have needed the geometry and its own stages.
+    if (job.takes.size() > 1) {
+        stats.ms_total =
+            stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
+    }
+    const double pixels = static_cast<double>(stats.width) * stats.height;
+    stats.bytes_per_pixel =
+        method.row->bytes_per_pixel(stats.samples, static_cast<double>(stats.fragments) / pixels);
+    return stats;
+}
+
+}  // namespace sheer
