@@ -81,6 +81,8 @@ struct Stats {
     double ms_store = 0;
     double ms_resolve = 0;
     double ms_total = 0;
+    // Rasterising and shading, "fragments"; then what the store takes, pass by pass, those of the
+    // same kind together.
     std::vector<PassTime> ms_passes;
 };
 

@@ -33,7 +33,7 @@ const char* name_of(Agreement agreement)
 
 std::string exact_up_to(const MethodRow& row)
 {
-    return row.exact_up_to < 0 ? "any" : std::to_string(row.exact_up_to);
+    return row.traits.exact_up_to < 0 ? "any" : std::to_string(row.traits.exact_up_to);
 }
 
 Json parameters_json(const MethodRow& row)
@@ -51,23 +51,24 @@ Json methods_json()
     Json methods = Json::array();
     for (const MethodRow& row : method_table()) {
         // Any number of fragments is no number: null.
-        const Json most = row.exact_up_to < 0 ? Json() : Json(row.exact_up_to);
-        methods.push_back({{"id", row.id},
-                           {"title", row.title},
-                           {"citation", row.citation},
-                           {"parameters", parameters_json(row)},
-                           {"passes", row.passes},
-                           {"bytes_per_pixel", row.bytes_formula},
-                           {"bounded", row.bounded},
-                           {"order_independent", row.any_order != Agreement::none},
-                           {"any_order", name_of(row.any_order)},
-                           {"merge", name_of(row.merge)},
-                           {"random", row.random},
-                           {"coloured", row.colored_verbs != nullptr},
-                           {"unbiased", row.bias == Bias::exact || row.bias == Bias::unbiased},
-                           {"bias", name_of(row.bias)},
-                           {"exact_up_to", most},
-                           {"bench_only", row.bench_only}});
+        const Json most = row.traits.exact_up_to < 0 ? Json() : Json(row.traits.exact_up_to);
+        methods.push_back(
+            {{"id", row.id},
+             {"title", row.title},
+             {"citation", row.citation},
+             {"parameters", parameters_json(row)},
+             {"passes", row.traits.passes},
+             {"bytes_per_pixel", row.traits.bytes_formula()},
+             {"bounded", row.traits.bounded},
+             {"order_independent", row.traits.any_order != Agreement::none},
+             {"any_order", name_of(row.traits.any_order)},
+             {"merge", name_of(row.traits.merge)},
+             {"random", row.random},
+             {"coloured", row.colored_verbs != nullptr},
+             {"unbiased", row.traits.bias == Bias::exact || row.traits.bias == Bias::unbiased},
+             {"bias", name_of(row.traits.bias)},
+             {"exact_up_to", most},
+             {"bench_only", row.bench_only}});
     }
     Json json;
     json["methods"] = methods;
@@ -81,10 +82,11 @@ std::string properties_table()
     table.rows.push_back({"method", "passes", "bytes a pixel", "bounded", "any order", "coloured",
                           "on average", "exact up to", "what it is"});
     for (const MethodRow& row : method_table()) {
-        table.rows.push_back(
-            {row.id, std::to_string(row.passes), row.bytes_formula, yes(row.bounded),
-             name_of(row.any_order), yes(row.colored_verbs != nullptr), name_of(row.bias),
-             exact_up_to(row), row.title + std::string(row.bench_only ? " (bench only)" : "")});
+        table.rows.push_back({row.id, std::to_string(row.traits.passes), row.traits.bytes_formula(),
+                              yes(row.traits.bounded), name_of(row.traits.any_order),
+                              yes(row.colored_verbs != nullptr), name_of(row.traits.bias),
+                              exact_up_to(row),
+                              row.title + std::string(row.bench_only ? " (bench only)" : "")});
     }
     return table.text();
 }

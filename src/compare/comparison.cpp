@@ -28,7 +28,7 @@ struct Plan {
 
 std::size_t add_take(const std::string& method, const Options& options, int seeds, Plan& plan)
 {
-    Take take{choose_method(method), {}, seeds > 1};
+    Take take{.method = choose_method(method), .keys = {}, .variance = seeds > 1};
     for (int i = 0; i < seeds; ++i) {
         take.keys.push_back(frame_key(options.seed + static_cast<std::uint64_t>(i), 0));
     }

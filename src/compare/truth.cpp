@@ -61,7 +61,7 @@ Image render_truth(const Scene& scene, const View& view, const Options& options,
     View sampled = view;
     sampled.samples = kTruthSamples;
     const int count = passes_for(view, passes);
-    const Take take{choose_method("exact"), {0}, false};
+    const Take take{choose_method("exact"), {0}};
     std::vector<std::array<double, 4>> sums;
     const std::uint64_t sums_bytes = static_cast<std::uint64_t>(view.width) *
                                      static_cast<std::uint64_t>(view.height) * sizeof(sums[0]);

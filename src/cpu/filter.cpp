@@ -58,10 +58,11 @@ SampleFilter::SampleFilter(Filter kind, const SampleSet& samples) : samples_(sam
     }
 }
 
-std::array<float, 4> SampleFilter::gaussian(const SampleColors& colors, const PixelRect& rect,
-                                            int x, int y) const
+template <int Channels>
+PixelValue<Channels> SampleFilter::gaussian(const SampleValues<Channels>& samples,
+                                            const PixelRect& rect, int x, int y) const
 {
-    std::array<float, 4> sum = {0, 0, 0, 0};
+    PixelValue<Channels> sum = {};
     float total = 0;
     for (int n = 0; n < 9; ++n) {
         const int nx = x + n % 3 - 1, ny = y + n / 3 - 1;
@@ -70,29 +71,35 @@ std::array<float, 4> SampleFilter::gaussian(const SampleColors& colors, const Pi
         for (int s = 0; s < samples_; ++s) {
             const float w = weights_[static_cast<std::size_t>(9 * s + n)];
             total += w;
-            for (std::size_t c = 0; c < 4; ++c) sum[c] += w * colors.channel(pixel, c)[s];
+            for (std::size_t c = 0; c < Channels; ++c) sum[c] += w * samples.channel(pixel, c)[s];
         }
     }
     for (float& c : sum) c /= total;
     return sum;
 }
 
-void SampleFilter::apply(const SampleColors& colors, const PixelRect& rect,
-                         const PixelRect& interior, std::vector<Float4>& pixels) const
+template <int Channels>
+void SampleFilter::apply(const SampleValues<Channels>& samples, const PixelRect& rect,
+                         const PixelRect& interior, PixelValues<Channels>& pixels) const
 {
     const Mean mean = mean_of(samples_);
     pixels.clear();
     for (int y = interior.y0; y < interior.y1; ++y) {
         for (int x = interior.x0; x < interior.x1; ++x) {
             if (!weights_.empty()) {
-                pixels.push_back(gaussian(colors, rect, x, y));
+                pixels.push_back(gaussian(samples, rect, x, y));
                 continue;
             }
             const auto pixel = static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
-            Float4& result = pixels.emplace_back();
-            for (std::size_t c = 0; c < 4; ++c) result[c] = mean(colors.channel(pixel, c));
+            auto& result = pixels.emplace_back();
+            for (std::size_t c = 0; c < Channels; ++c) result[c] = mean(samples.channel(pixel, c));
         }
     }
 }
+
+template void SampleFilter::apply(const SampleValues<4>&, const PixelRect&, const PixelRect&,
+                                  PixelValues<4>&) const;
+template void SampleFilter::apply(const SampleValues<5>&, const PixelRect&, const PixelRect&,
+                                  PixelValues<5>&) const;
 
 }  // namespace sheer

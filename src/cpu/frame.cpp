@@ -23,13 +23,19 @@ namespace {
 // Light grey, linear.
 constexpr Float4 kDefaultBackground = {0.6f, 0.6f, 0.6f, 1.0f};
 
+bool any_divides(std::span<const Take> takes)
+{
+    return std::any_of(takes.begin(), takes.end(),
+                       [](const Take& take) { return take.method.traits().divides; });
+}
+
 std::unique_ptr<Worker> make_worker(const FrameJob& job)
 {
     const int samples = job.samples.count;
     auto worker = std::make_unique<Worker>(
         Worker{{job.tile_fragments, OpaqueTile(samples, job.surfaces.any_opaque),
                 FragmentStream(job.stream_capacity, job.surfaces.any_colored)},
-               SampleColors(samples),
+               SampleColors(samples, any_divides(job.takes)),
                {},
                {},
                {},
@@ -37,10 +43,23 @@ std::unique_ptr<Worker> make_worker(const FrameJob& job)
     for (std::size_t i = 0; i < job.takes.size(); ++i) {
         const ChosenMethod& method = job.takes[i].method;
         const StoreShape shape{&job.samples, &method, job.eye, job.stream_capacity,
-                               method.row->bounded ? ~std::size_t{0} : job.store_bytes};
-        worker->stores.push_back({&job.verbs[i], job.verbs[i].make(shape), method.row->passes});
+                               method.traits().bounded ? ~std::size_t{0} : job.store_bytes};
+        const MethodTraits traits = method.traits();
+        worker->stores.push_back({&job.verbs[i], job.verbs[i].make(shape), traits.divides,
+                                  std::vector<Stopwatch>(static_cast<std::size_t>(traits.passes))});
     }
     return worker;
+}
+
+template <class Value>
+void write_tile(const PixelRect& interior, Image& image, Value&& value)
+{
+    std::size_t i = 0;
+    for (int y = interior.y0; y < interior.y1; ++y) {
+        for (int x = interior.x0; x < interior.x1; ++x, ++i) {
+            for (std::size_t c = 0; c < 4; ++c) image.at(x, y)[c] = value(i, c);
+        }
+    }
 }
 
 void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Worker& worker,
@@ -49,17 +68,22 @@ void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Wo
     const Take& take = job.takes[number];
     const PixelRect interior = job.grid.interior(setting.job.tile);
     TileStore& store = worker.stores[number];
+    const auto frames = static_cast<std::size_t>(take.frames);
     worker.mean.clear();
-    for (const std::uint32_t key : take.keys) {
-        setting.place.key = key;
+    for (std::size_t i = 0; i < take.keys.size(); ++i) {
+        if (i % frames == 0) worker.picture.clear();
+        setting.place.key = take.keys[i];
         worker.passes.draw(setting, store, worker.colors);
         store.resolving.start();
-        job.filter.apply(worker.colors, setting.job.rect, interior, worker.pixels);
-        worker.mean.add(worker.pixels);
+        worker.picture.add(job.filter, worker.colors, store.divides, setting.job.rect, interior);
+        if (i % frames == frames - 1) worker.mean.add(worker.picture.pixels());
         store.resolving.stop();
     }
-    worker.mean.write_mean(interior, frame.image);
-    if (take.variance) worker.mean.write_variance(interior, frame.variance);
+    write_tile(interior, frame.image,
+               [&](std::size_t p, std::size_t c) { return worker.mean.mean(p, c); });
+    if (!take.variance) return;
+    write_tile(interior, frame.variance,
+               [&](std::size_t p, std::size_t c) { return worker.mean.variance(p, c); });
 }
 
 void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result)
@@ -153,6 +177,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     if (options.memory_limit != 0) {
         require_memory(options.memory_limit, geometry_bytes(scene) + texture_bytes(scene, wanted));
     }
+    for (const Take& take : takes) check_method(take.method, view.samples);
     const TargetSet targets = targets_of(options.simd);
     const SampleSet samples = make_sample_set(view.samples, view.positions, request.shift);
     const SampleFilter filter(view.filter, samples);
@@ -223,9 +248,9 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
 
 Frame render_frame(const Scene& scene, const View& view, const Options& options)
 {
-    Take take{choose_method(options.method), {}, false};
-    const int frames = take.method.row->random ? options.accumulate : 1;
-    for (int i = 0; i < frames; ++i) take.keys.push_back(frame_key(options.seed, i));
+    Take take{choose_method(options.method), {}};
+    if (take.method.row->random) take.frames = options.accumulate;
+    for (int i = 0; i < take.frames; ++i) take.keys.push_back(frame_key(options.seed, i));
     FrameTakes result = render_takes(scene, view, options, {{&take, 1}});
     if (options.memory_limit != 0) release_free_memory();
     TakeFrame& frame = result.frames.front();

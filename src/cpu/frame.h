@@ -14,13 +14,14 @@ namespace sheer {
 // A picture to be made over fragments that others are made over too.
 struct Take {
     ChosenMethod method;
-    std::vector<std::uint32_t> keys;  // of random numbers: a picture each; the mean is wanted
-    bool variance = false;            // over the keys is wanted as well
+    std::vector<std::uint32_t> keys;  // of random numbers: a frame each
+    int frames = 1;                   // of one picture; the mean over all pictures is wanted
+    bool variance = false;            // over the pictures is wanted as well
 };
 
 struct TakeFrame {
     Image image;
-    Image variance;  // of the keys' pictures, divided by their number less 1; empty if not wanted
+    Image variance;  // of the pictures, divided by their number less 1; empty if not wanted
     Stats stats;
 };
 

@@ -8,7 +8,7 @@
 #include "cpu/channels.h"
 #include "cpu/filter.h"
 #include "cpu/take_groups.h"
-#include "cpu/tile_mean.h"
+#include "cpu/tile_picture.h"
 #include "cpu/tile_passes.h"
 
 namespace sheer {
@@ -35,8 +35,8 @@ struct Worker {
     TilePasses passes;
     SampleColors colors;
     std::vector<TileStore> stores;  // of each take
-    std::vector<Float4> pixels;
-    TileMean mean;
+    TilePicture picture;
+    TileMean<4> mean;
     ChannelTile channels;
 };
 

@@ -77,9 +77,9 @@ std::size_t thread_bytes(const FrameJob& job)
     });
     if (sorts) bytes += triangles * 4 * sizeof(SortedTriangle);  // and what stable_sort takes
     for (const Take& take : job.takes) {
-        if (!take.method.row->bounded) continue;
-        bytes += kTilePixels *
-                 static_cast<std::size_t>(take.method.row->bytes_per_pixel(job.samples.count, 0));
+        if (!take.method.traits().bounded) continue;
+        bytes += kTilePixels * static_cast<std::size_t>(
+                                   take.method.traits().bytes_per_pixel(job.samples.count, 0));
     }
     return bytes;
 }
@@ -99,7 +99,7 @@ MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::u
                       .reserved = reserved};
     for (const Take& take : job.takes) {
         needs.pictures += take.variance ? 2 : 1;
-        if (!take.method.row->bounded) ++needs.growing_stores;
+        if (!take.method.traits().bounded) ++needs.growing_stores;
     }
     return plan_memory(needs);
 }

@@ -11,19 +11,27 @@ namespace {
 void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats& stats)
 {
     const Submission submission = submission_of(job.takes[take]);
+    const std::vector<const char*> names = job.takes[take].method.traits().pass_names;
+    std::vector<double> ms_of_names(names.size());
     for (const auto& worker : workers) {
         if (!worker) continue;
         const TileStore& store = worker->stores[take];
         stats.fragments += store.fragments;
         stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(submission);
-        stats.ms_store += store.storing.ms();
+        for (std::size_t p = 0; p < store.storing.size(); ++p) {
+            ms_of_names[p % names.size()] += store.storing[p].ms();
+        }
         stats.ms_resolve += store.resolving.ms();
     }
     const double threads = stats.threads;
     stats.ms_raster_shade /= threads;
-    stats.ms_store /= threads;
     stats.ms_resolve /= threads;
-    stats.ms_passes = {{"fragments", stats.ms_raster_shade + stats.ms_store}};
+    stats.ms_passes = {{"fragments", stats.ms_raster_shade}};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const double ms = ms_of_names[i] / threads;
+        stats.ms_store += ms;
+        stats.ms_passes.push_back({names[i], ms});
+    }
     stats.fragments /= job.takes[take].keys.size();
 }
 
@@ -35,7 +43,7 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
     Stats stats = std::move(common);
     stats.method = method.row->id;
     stats.parameters = method.parameters_text();
-    stats.passes = method.row->passes;
+    stats.passes = method.traits().passes;
     sum_up(workers, job, number, stats);
     // Of several takes each would have needed the geometry and its own stages.
     if (job.takes.size() > 1) {
@@ -43,8 +51,8 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
             stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
     }
     const double pixels = static_cast<double>(stats.width) * stats.height;
-    stats.bytes_per_pixel =
-        method.row->bytes_per_pixel(stats.samples, static_cast<double>(stats.fragments) / pixels);
+    stats.bytes_per_pixel = method.traits().bytes_per_pixel(
+        stats.samples, static_cast<double>(stats.fragments) / pixels);
     return stats;
 }
 

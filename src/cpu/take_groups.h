@@ -32,7 +32,8 @@ inline std::vector<Group> group_takes(std::span<const Take> takes)
                                   [&](const Group& g) { return g.submission == submission; });
         if (group == groups.end()) group = groups.insert(group, {submission, {}, 0});
         group->takes.push_back(i);
-        group->uses += takes[i].keys.size() * static_cast<std::size_t>(takes[i].method.row->passes);
+        group->uses +=
+            takes[i].keys.size() * static_cast<std::size_t>(takes[i].method.traits().passes);
     }
     return groups;
 }

@@ -236,8 +236,12 @@ HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
     shade_all(tile, *pending.chunk, t, planes, list, pending.first, pending.first + pending.count,
               write);
     FragmentRun& run = s.runs[s.run_count];
-    run = {static_cast<std::uint32_t>(pending.first), static_cast<std::uint32_t>(pending.count),
-           t.primitive, surface.id, planes.depth};
+    run = {static_cast<std::uint32_t>(pending.first),
+           static_cast<std::uint32_t>(pending.count),
+           t.primitive,
+           surface.id,
+           planes.depth,
+           t.back_facing != 0};
     if (tile.opaque.any || surface.may_vanish || kept < pending.first) {
         keep_visible(tile, run, kept);
     }

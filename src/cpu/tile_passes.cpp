@@ -82,13 +82,15 @@ void TilePasses::draw(const TileSetting& setting, TileStore& store, SampleColors
 bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileStore& store)
 {
     std::uint64_t fragments = 0;
-    for (int pass = 0; pass < store.passes; ++pass) {
+    for (std::size_t p = 0; p < store.storing.size(); ++p) {
+        const int pass = static_cast<int>(p);
+        Stopwatch& storing = store.storing[p];
         fragments = 0;
         if (kept_) {
-            store.storing.start();
+            storing.start();
             const bool held =
                 stream_.size == 0 || store.verbs->insert(store.store.get(), stream_, pass);
-            store.storing.stop();
+            storing.stop();
             if (!held) return false;
             fragments = static_cast<std::uint64_t>(stream_.size);
             continue;
@@ -98,9 +100,9 @@ bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileS
         store.raster_shade.start();
         const bool held = rasterise(job, [&](const FragmentStream& stream) {
             store.raster_shade.stop();
-            store.storing.start();
+            storing.start();
             const bool more = store.verbs->insert(store.store.get(), stream, pass);
-            store.storing.stop();
+            storing.stop();
             store.raster_shade.start();
             fragments += static_cast<std::uint64_t>(stream.size);
             return more;
@@ -115,9 +117,9 @@ bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileS
 void TilePasses::draw_region(const TileSetting& setting, const PixelRect& region, TileStore& store,
                              SampleColors& colors)
 {
-    store.storing.start();
+    store.storing[0].start();
     store.verbs->clear(store.store.get(), setting.place);
-    store.storing.stop();
+    store.storing[0].stop();
     if (feed(setting, region, store)) {
         resolve(setting, region, store, colors);
         return;

@@ -10,6 +10,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "cpu/frame.h"
 #include "cpu/stopwatch.h"
@@ -20,16 +21,18 @@ namespace sheer {
 
 // The stream and the store of a tile share the second-level cache: about 150 KB of fragments.
 inline constexpr int kStreamFragments = 4096;
-// Enough for all of a usual tile.
-inline constexpr int kKeptFragments = 32768;
+// For more than one pass, all of a tile's: 10 MB. That they leave the cache costs a tenth of what
+// rasterising them again does.
+inline constexpr int kKeptFragments = 262144;
 
 // A store and what it is fed.
 struct TileStore {
     const StoreVerbs* verbs;
     std::shared_ptr<void> store;
-    int passes;
-    std::uint64_t fragments = 0;                                // of all pictures drawn with it
-    Stopwatch raster_shade = {}, storing = {}, resolving = {};  // the first: for this store alone
+    bool divides;                                 // MethodTraits::divides
+    std::vector<Stopwatch> storing;               // of each pass; clearing is the first's
+    std::uint64_t fragments = 0;                  // of all pictures drawn with it
+    Stopwatch raster_shade = {}, resolving = {};  // the first: for this store alone
 };
 
 // What is behind the tile's transparent fragments, and how they are rasterised.

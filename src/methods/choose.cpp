@@ -71,6 +71,37 @@ std::string ChosenMethod::parameters_text() const
     return text;
 }
 
+int ChosenMethod::number(std::string_view parameter) const
+{
+    return std::stoi(value(parameter));
+}
+
+MethodTraits ChosenMethod::traits() const
+{
+    return row->traits_of != nullptr ? row->traits_of(*this) : row->traits;
+}
+
+std::string MethodTraits::bytes_formula() const
+{
+    std::string text;
+    const auto add = [&](int bytes, const char* of) {
+        if (bytes != 0) text += (text.empty() ? "" : " + ") + std::to_string(bytes) + of;
+    };
+    add(bytes_per_sample, " S");
+    add(bytes_per_fragment, " N");
+    add(bytes_besides, "");
+    return text.empty() ? "0" : text;
+}
+
+void check_method(const ChosenMethod& method, int samples)
+{
+    const auto refusal = method.row->refusal;
+    const std::string text = refusal != nullptr ? refusal(method, samples) : "";
+    if (!text.empty()) {
+        throw Error(Fault::input, "method: " + std::string(method.row->id) + ": " + text);
+    }
+}
+
 ChosenMethod choose_method(std::string_view text)
 {
     const auto parts = split(text, ':');

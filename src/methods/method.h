@@ -42,10 +42,24 @@ struct SampleValues {
     }
 };
 
-// Red, green, blue, alpha: linear and premultiplied.
-using SampleColors = SampleValues<4>;
+// What becomes of a tile's samples: red, green, blue and alpha, linear and premultiplied. The
+// filter's mean of them is the picture.
+struct SampleColors : SampleValues<4> {
+    // Of a method that divides after the filter (MethodTraits::divides), else empty: red, green and
+    // blue of a sum, its weight, and total alpha. The picture gets total alpha times the sum's mean
+    // over the weight's mean besides.
+    SampleValues<5> fraction;
+
+    SampleColors() = default;
+    explicit SampleColors(int samples_per_pixel, bool divides = false)
+        : SampleValues<4>(samples_per_pixel)
+    {
+        if (divides) fraction = SampleValues<5>(samples_per_pixel);
+    }
+};
 
 struct MethodRow;
+struct MethodTraits;
 
 // A row and its parameters' values, chosen by ID[:NAME=VALUE]...
 struct ChosenMethod {
@@ -54,6 +68,8 @@ struct ChosenMethod {
 
     const std::string& value(std::string_view parameter) const;  // of one that the row has
     std::string parameters_text() const;                         // NAME=VALUE:NAME=VALUE
+    int number(std::string_view parameter) const;                // of whole numbers
+    MethodTraits traits() const;                                 // with these values
 };
 
 // Throws Error(Fault::input) that names what does not exist and what does.
@@ -145,27 +161,52 @@ struct Parameter {
     const char* what;
 };
 
+// What a method promises. May depend on its parameters.
+struct MethodTraits {
+    int passes = 1;  // over the fragments
+    // Names of the passes, which go round.
+    std::vector<const char*> pass_names = {"store"};
+    // Of the store, a pixel.
+    int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
+    bool bounded = true;                    // the store does not grow with the number of fragments
+    Agreement any_order = Agreement::none;  // of the stores for every order of arrival
+    // Of parts with the whole, merged after each pass, which then goes on with what was merged.
+    Agreement merge = Agreement::none;
+    bool merges_in_order = false;  // where that is none: of arrival
+    Bias bias = Bias::neither;
+    int exact_up_to = 0;        // fragments a sample; -1: any number; 0: none
+    bool within_inputs = true;  // no colour exceeds the largest of fragments and backdrop
+    bool divides = false;       // after the filter: SampleColors::fraction
+
+    double bytes_per_pixel(int samples, double fragments_per_pixel) const
+    {
+        return bytes_per_sample * samples + bytes_per_fragment * fragments_per_pixel +
+               bytes_besides;
+    }
+    std::string bytes_formula() const;  // in S, the samples, and N, the pixel's fragments
+};
+
 struct MethodRow {
     const char* id;
     const char* title;
     const char* citation;
     std::vector<Parameter> parameters;
-    int passes;                 // over the fragments
-    const char* bytes_formula;  // of the store, a pixel; S: samples, N: the pixel's fragments
-    double (*bytes_per_pixel)(int samples, double fragments_per_pixel);
-    bool bounded;         // the store does not grow with the number of fragments
-    Agreement any_order;  // of the stores for every order of arrival
-    Agreement merge;      // of merged parts with the whole; none: merges in order of arrival only
-    Bias bias;
-    int exact_up_to;  // fragments a sample; -1: any number; 0: none
-    bool random;      // the picture depends on the seed
-    bool bench_only;
-    Submission (*submission)(const ChosenMethod& method);  // null: as given
+    MethodTraits traits;  // with the standard values
+    bool random = false;  // the picture depends on the seed
+    bool bench_only = false;
     StoreVerbs (*verbs)(TargetSet targets, const ChosenMethod& method, int samples);
     // The same for scenes with coloured glass; null: takes the mean over the channels.
     StoreVerbs (*colored_verbs)(TargetSet targets, const ChosenMethod& method,
                                 int samples) = nullptr;
+    Submission (*submission)(const ChosenMethod& method) = nullptr;   // null: as given
+    MethodTraits (*traits_of)(const ChosenMethod& method) = nullptr;  // null: always `traits`
+    // Why the values do not go together or not with so many samples, after "method: ID: "; empty
+    // if they do. Null: they always do.
+    std::string (*refusal)(const ChosenMethod& method, int samples) = nullptr;
 };
+
+// Throws Error(Fault::input) where the method can't be used with so many samples.
+void check_method(const ChosenMethod& method, int samples);
 
 // The one table, in the order in which help and reports list it.
 std::span<const MethodRow> method_table();

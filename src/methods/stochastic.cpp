@@ -1,23 +1,19 @@
 // Stochastic transparency: shaders/sheer/stochastic.glsl at every sample.
 //
-// Fragments that lie behind all that their pixel keeps are left out first, for they would win
-// nothing. The others are packed, from as many triangles as fill some vectors, and their masks made
-// a fragment a lane; then each goes to the samples of its mask, a sample a lane. 20 bytes a sample.
+// A fragment goes to the samples of its mask, a sample a lane. 20 bytes a sample; alpha correction
+// keeps the transmittance of each besides, and several passes the sum of what each of them showed.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "methods/stochastic.cpp"
 #include "lanes/targets.h"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include <hwy/foreach_target.h>
 
-#include "lanes/lone.h"
-#include "methods/samples-inl.h"
-#include "raster/sample_depth-inl.h"
+#include "methods/stochastic_masks-inl.h"
+#include "methods/total_alpha-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -25,7 +21,6 @@ namespace sheer::HWY_NAMESPACE {
 template <class L>
 struct StochasticText {
 #include "lanes/text_words.h"
-#include "sheer/random.glsl"
 #include "sheer/over.glsl"
 #include "sheer/stochastic.glsl"
 };
@@ -64,56 +59,44 @@ struct StochasticMethod {
     }
 };
 
-enum class SeedBy { depth, primitive, object };
-
 template <int S>
 struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
     using Base = SampleStore<S, StochasticMethod<S>>;
     using typename Base::L;
     using typename Base::real;
+    using typename Base::real3;
     using typename Base::Text;
     using Method = StochasticMethod<S>;
-    using Block = Lanes<16>;  // of fragments
-    using BlockText = StochasticText<Block>;
 
     const SampleSet& set;
-    bool stratified;
-    SeedBy seed_by;
-    TilePlace place = {};
-    AlignedArray<float> farthest{kTilePixels};  // of each pixel: the most depth that a sample keeps
-    static constexpr int kTileBits = 5;
-    static_assert(1 << kTileBits == kTileSize);
-
-    // Fragments that may win a sample are collected from runs until they are this many: vectors are
-    // full then, and `farthest` is still fresh.
-    static constexpr std::size_t kEnough = 128;
-    static constexpr std::size_t kMost = kEnough + kTilePixels + 16;
-    // What their masks are made of; one after the other, as the stream has them.
-    struct Candidates {
-        std::uint32_t number[kMost];  // in the stream
-        std::uint32_t pixel[kMost], opacity[kMost], identity[kMost];
-        std::uint32_t samples[kMost], samples_high[kMost];
-    };
-    alignas(64) Candidates candidates;
-    std::uint32_t runs[kEnough];  // those that the candidates come from
+    StochasticMasks masks;
+    TotalAlpha<S> total_alpha;  // for alpha correction
+    SampleValues<4> shown;      // by the passes before this one: sums of colour and of what is won
+    bool corrects;
+    int pass = 0;
 
     explicit StochasticTile(const StoreShape& shape)
         : Base(shape),
           set(*shape.samples),
-          stratified(shape.method->value("masks") == "stratified"),
-          seed_by(seed_by_of(shape.method->value("seed-by")))
+          masks(shape),
+          corrects(shape.method->value("correction") == "on")
     {
+        if (corrects) total_alpha = TotalAlpha<S>(set.count);
+        if (several()) shown = SampleValues<4>(set.count);
     }
+    bool several() const { return masks.settings.passes > 1; }
 
-    static SeedBy seed_by_of(const std::string& text)
+    void clear(const TilePlace& place)
     {
-        if (text == "depth") return SeedBy::depth;
-        return text == "object" ? SeedBy::object : SeedBy::primitive;
+        masks.clear(place);
+        if (corrects) total_alpha.clear();
+        if (several()) std::fill_n(shown.values.data(), shown.values.size(), 0.0f);
+        pass = 0;
+        begin_pass();
     }
-
-    void clear(const TilePlace& of_tile)
+    void begin_pass()
     {
-        place = of_tile;
+        masks.begin_pass(pass);
         // Colours are looked at only where a depth was kept.
         const auto nothing = Method::clear();
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
@@ -124,11 +107,40 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
                 nothing.id.as_real().store(id + s);
             }
         }
-        std::fill_n(farthest.data(), kTilePixels, std::numeric_limits<float>::infinity());
     }
 
-    void insert(const FragmentStream& f, int)
+    // What the samples of this pass show so far, and those of the passes before it.
+    struct Shown {
+        real3 color;
+        real weight;
+    };
+    HWY_INLINE Shown shown_so_far(std::size_t pixel, std::size_t s) const
     {
+        const auto store = this->load(pixel, s);
+        const real one(1.0f), none(0.0f);
+        const real empty = Text::stochastic_transmittance(store, Method::beyond_any());
+        Shown result{Text::stochastic_resolve(store, Method::beyond_any(), {none, none, none}),
+                     one - empty};
+        if (!several()) return result;
+        const float* before = shown.channel(pixel, 0) + s;
+        result.color = result.color + load_color<Text>(before, this->count());
+        result.weight = result.weight + real::load(before + 3 * this->count());
+        return result;
+    }
+
+    void insert(const FragmentStream& f, int of_pass)
+    {
+        if (of_pass != pass) {
+            this->for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
+                const Shown sum = shown_so_far(pixel, s);
+                float* at = shown.channel(pixel, 0) + s;
+                save_color<Text>(sum.color, at, this->count());
+                sum.weight.store(at + 3 * this->count());
+            });
+            pass = of_pass;
+            begin_pass();
+        }
+        if (corrects && pass == 0) total_alpha.insert(f);
         if constexpr (S < 16) {
             insert_all<S>(f);
         } else {
@@ -143,123 +155,39 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
     template <int Samples>
     void insert_all(const FragmentStream& f)
     {
-        const std::size_t run_count = static_cast<std::size_t>(f.run_count);
-        for (std::size_t r = 0; r < run_count;) {
-            std::size_t count = 0, used = 0;
-            for (; r < run_count && count < kEnough; ++r) {
-                const std::size_t before = count;
-                count = collect<Samples>(f, f.runs[r], count);
-                runs[used] = static_cast<std::uint32_t>(r);
-                used += count > before;
-            }
-            count = make_masks<Samples>(count);
-            candidates.number[count] = ~0u;
-            std::size_t k = 0;
-            for (std::size_t u = 0; u < used; ++u) k = insert_run<Samples>(f, f.runs[runs[u]], k);
-        }
+        if (masks.settings.depth_before) return insert_in_turn<Samples>(f);
+        masks.for_each_run<Samples>(f, [&](const FragmentRun& run, std::size_t k)
+                                           HWY_ATTR { return insert_run<Samples>(f, run, k); });
     }
 
-    // Those of a run's fragments that may win a sample become candidates. Returns how many there
-    // are then.
     template <int Samples>
-    HWY_INLINE std::size_t collect(const FragmentStream& f, const FragmentRun& run,
-                                   std::size_t count)
-    {
-        using whole = typename Block::whole;
-        using Real = typename Block::real;
-        Candidates& c = candidates;
-        const DepthPlane& plane = run.depth;
-        const Real least(plane.least), most(plane.most);
-        const Real reach(0.5f * (std::abs(plane.dx) + std::abs(plane.dy)) + plane.slack);
-        const whole name(seed_by == SeedBy::object ? run.object : run.primitive);
-        const bool by_depth = seed_by == SeedBy::depth;
-        const std::size_t last = run.first + run.count;
-        const whole end(static_cast<std::int32_t>(last));
-        const float* far = farthest.data();
-        for (std::size_t i = run.first; i < last; i += Block::kCount) {
-            // What lies past the stream's end may be any number.
-            const whole pixel = whole::load(f.pixel.data() + i) & whole(kTilePixels - 1);
-            const Real at_center = Real::load(f.depth.data() + i);
-            const Real nearest = Block::min(Block::max(at_center - reach, least), most);
-            const whole numbers = Block::iota() + whole(static_cast<std::int32_t>(i));
-            // Written so that a depth that is no number may win.
-            const auto keep = !(nearest > Block::gather(far, pixel)) && numbers < end;
-            if (!keep.any()) continue;
-            const typename Block::Packing packing(keep);
-            packing.store(numbers, c.number + count);
-            packing.store(pixel, c.pixel + count);
-            packing.store(by_depth ? whole::bits_of(at_center) : name, c.identity + count);
-            packing.store(whole::bits_of(Real::load(f.opacity.data() + i)), c.opacity + count);
-            packing.store(whole::load(f.samples.data() + i), c.samples + count);
-            if constexpr (Samples > 32) {
-                packing.store(whole::load(f.samples_high.data() + i), c.samples_high + count);
-            }
-            count += packing.count();
-        }
-        return count;
-    }
-
-    // Leaves the candidates that have samples, of which their masks are part. Returns their number.
-    template <int Samples>
-    HWY_INLINE std::size_t make_masks(std::size_t count)
-    {
-        using whole = typename Block::whole;
-        Candidates& c = candidates;
-        const whole x0(place.x), y0(place.y), key(place.key), none(0);
-        const whole end(static_cast<std::int32_t>(count));
-        std::size_t left = 0;
-        for (std::size_t i = 0; i < count; i += Block::kCount) {
-            const whole pixel = whole::load(c.pixel + i);
-            const whole identity = BlockText::identity_seed(whole::load(c.identity + i), key);
-            const whole seed = BlockText::fragment_seed(x0 + (pixel & whole(kTileSize - 1)),
-                                                        y0 + (pixel >> kTileBits), identity);
-            const auto opacity = whole::load(c.opacity + i).as_real();
-            const auto bits = stratified ? BlockText::stratified_mask(seed, opacity, Samples)
-                                         : BlockText::naive_mask(seed, opacity, Samples);
-            const whole low = bits.low & whole::load(c.samples + i);
-            whole any = low, high = none;
-            if constexpr (Samples > 32) {
-                high = bits.high & whole::load(c.samples_high + i);
-                any = any | high;
-            }
-            const whole indices = Block::iota() + whole(static_cast<std::int32_t>(i));
-            const typename Block::Packing packing(indices < end && !(any == none));
-            packing.store(whole::load(c.number + i), c.number + left);
-            packing.store(low, c.samples + left);
-            if constexpr (Samples > 32) packing.store(high, c.samples_high + left);
-            left += packing.count();
-        }
-        return left;
-    }
+    static constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
 
     // Inserts a run's candidates, of which k is the first. Returns the next run's first.
     template <int Samples>
     HWY_INLINE std::size_t insert_run(const FragmentStream& f, const FragmentRun& run,
                                       std::size_t k)
     {
-        constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
         // Copies, which what is stored below cannot alias.
         const DepthPlane plane = run.depth;
         const std::size_t end = run.first + run.count;
         const float *red = f.red.data(), *green = f.green.data(), *blue = f.blue.data();
         const float* depth = f.depth.data();
         const std::uint32_t* pixels = f.pixel.data();
-        float *stores = this->values(), *far = farthest.data();
-        real offset[kBlocks];
-        for (std::size_t b = 0; b < kBlocks; ++b) {
+        float *stores = this->values(), *far = masks.farthest.data();
+        real offset[kBlocks<Samples>];
+        for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
             offset[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
         }
         typename Text::StochasticStore fragment;
         fragment.id = typename L::whole(run.primitive);
-        for (; candidates.number[k] < end; ++k) {
-            const std::size_t i = candidates.number[k], pixel = pixels[i];
+        for (; masks.number(k) < end; ++k) {
+            const std::size_t i = masks.number(k), pixel = pixels[i];
             fragment.color = {real(red[i]), real(green[i]), real(blue[i])};
             real most;
-            for (std::size_t b = 0; b < kBlocks; ++b) {
+            for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
                 const std::size_t s = b * L::kCount;
-                const std::uint32_t word =
-                    s < 32 ? candidates.samples[k] : candidates.samples_high[k];
-                const auto taken = L::mask_of_bits(word >> (s & 31));
+                const auto taken = L::mask_of_bits(masks.word(k, s));
                 fragment.depth = sample_depth<L>(plane, offset[b], depth[i]);
                 float* at = stores + (Method::kChannels * pixel * Samples + s);
                 const auto store =
@@ -270,6 +198,75 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
             far[pixel] = most.greatest();
         }
         return k;
+    }
+
+    // The depth test before the number of samples is drawn: a fragment's mask waits for what those
+    // before it have left.
+    template <int Samples>
+    HWY_INLINE void insert_in_turn(const FragmentStream& f)
+    {
+        for (int r = 0; r < f.run_count; ++r) {
+            const FragmentRun& run = f.runs[r];
+            for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+                insert_one<Samples>(f, run, i);
+            }
+        }
+    }
+    template <int Samples>
+    HWY_INLINE void insert_one(const FragmentStream& f, const FragmentRun& run, std::size_t i)
+    {
+        const std::size_t pixel = f.pixel[i];
+        typename Text::StochasticStore fragment;
+        fragment.id = typename L::whole(run.primitive);
+        fragment.color = color_of<Text>(f, i);
+        real depth[kBlocks<Samples>];
+        std::uint64_t open = 0;
+        for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
+            const std::size_t s = b * L::kCount;
+            fragment.depth = depth[b] = sample_depth<L>(run.depth, set, f.depth[i], s);
+            const auto nearer = Text::stochastic_nearer(this->load(pixel, s), fragment);
+            open |= static_cast<std::uint64_t>((nearer & sample_mask<L>(f, i, s)).bits()) << s;
+        }
+        if (open == 0) return;
+        const std::uint64_t taken =
+            masks.taken_of(open, static_cast<std::uint32_t>(pixel), run, f.depth[i], f.opacity[i]);
+        for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
+            const std::size_t s = b * L::kCount;
+            fragment.depth = depth[b];
+            const auto of_block = L::mask_of_bits(static_cast<std::uint32_t>(taken >> s));
+            this->save(Text::stochastic_insert(this->load(pixel, s), of_block, fragment), pixel, s);
+        }
+    }
+
+    void merge(const StochasticTile& other)
+    {
+        Base::merge(other);
+        if (corrects) total_alpha.merge(other.total_alpha);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(shown.values.size()); ++i) {
+            shown.values[i] += other.shown.values[i];
+        }
+    }
+
+    void resolve(SampleColors& backdrop) const
+    {
+        if (corrects) return resolve_corrected(backdrop);
+        if (!several()) return Base::resolve(backdrop);
+        const real part(1.0f / static_cast<float>(masks.settings.passes)), one(1.0f);
+        this->for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            const Shown sum = shown_so_far(pixel, s);
+            const auto mean = [&](real3 behind, real& transmittance) HWY_ATTR {
+                transmittance = one - part * sum.weight;
+                return Text::over(part * sum.color, transmittance, behind);
+            };
+            resolve_samples<Text>(backdrop, pixel, s, mean);
+        });
+    }
+    void resolve_corrected(SampleColors& backdrop) const
+    {
+        this->for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            const Shown sum = shown_so_far(pixel, s);
+            total_alpha.dim(backdrop, pixel, s, sum.color, sum.weight);
+        });
     }
 };
 
@@ -286,7 +283,7 @@ namespace sheer {
 
 HWY_EXPORT(stochastic_store);
 
-StoreVerbs stochastic_verbs(TargetSet targets, const ChosenMethod&, int samples)
+StoreVerbs stochastic_verbs(TargetSet targets, int samples)
 {
     return SHEER_DISPATCH(stochastic_store, targets)(samples);
 }

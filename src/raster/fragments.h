@@ -15,6 +15,7 @@ struct FragmentRun {
     std::uint32_t primitive;  // stable identity; breaks ties in depth
     std::uint32_t object;     // Object::id
     DepthPlane depth;
+    bool back_facing = false;  // seen from behind
 };
 
 // Structure of arrays; kSlack values past `size` may be written to.

@@ -80,7 +80,7 @@ TEST(ToolOutput, MethodsAreTheTable)
                                  "unbiased", "exact_up_to", "bench_only"});
         EXPECT_EQ(methods[i].at("id"), row.id);
         EXPECT_EQ(methods[i].at("parameters").size(), row.parameters.size());
-        EXPECT_EQ(methods[i].at("exact_up_to").is_null(), row.exact_up_to < 0);
+        EXPECT_EQ(methods[i].at("exact_up_to").is_null(), row.traits.exact_up_to < 0);
     }
     const std::string text = output_of(tool, {"methods"});
     for (const MethodRow& row : method_table()) {

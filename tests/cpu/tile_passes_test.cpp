@@ -47,7 +47,7 @@ void expect_takes_are_renders(const Scene& scene, const View& view)
 {
     std::vector<Take> takes;
     for (const std::string& method : all_methods()) {
-        takes.push_back({choose_method(method), {frame_key(7, 0)}, false});
+        takes.push_back({choose_method(method), {frame_key(7, 0)}});
     }
     const FrameTakes all = render_takes(scene, view, {}, {takes});
     for (std::size_t i = 0; i < takes.size(); ++i) {
@@ -113,7 +113,8 @@ public:
         if (keep) tile.keep(setting_);
         auto store = std::make_shared<CountingStore>();
         store->most = most;
-        TileStore fed{&verbs, store, passes};
+        TileStore fed{&verbs, store, false,
+                      std::vector<Stopwatch>(static_cast<std::size_t>(passes))};
         SampleColors colors(4);
         tile.draw(setting_, fed, colors);
         return store;

@@ -1,7 +1,10 @@
 // Every row of the table of methods, with every combination of its parameters' values.
 #pragma once
 
+#include <algorithm>
+#include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "methods/method.h"
@@ -15,14 +18,22 @@ inline std::vector<std::string> values_of(const Parameter& parameter)
     const std::string values = parameter.values;
     const std::size_t dots = values.find("..");
     if (dots != std::string::npos) {
-        return {values.substr(0, dots), parameter.standard, values.substr(dots + 2)};
+        const std::set<std::string> some = {values.substr(0, dots), parameter.standard,
+                                            values.substr(dots + 2)};
+        return {some.begin(), some.end()};
     }
     std::vector<std::string> choices;
     for (const auto& choice : split(values, '|')) choices.emplace_back(choice);
     return choices;
 }
 
-inline std::vector<ChosenMethod> every_choice(const MethodRow& row)
+inline bool is_refused(const ChosenMethod& method, int samples)
+{
+    return method.row->refusal != nullptr && !method.row->refusal(method, samples).empty();
+}
+
+// All combinations that some number of samples allows.
+inline std::vector<ChosenMethod> every_combination(const MethodRow& row)
 {
     std::vector<std::string> texts = {row.id};
     for (const Parameter& parameter : row.parameters) {
@@ -35,7 +46,52 @@ inline std::vector<ChosenMethod> every_choice(const MethodRow& row)
         texts = std::move(longer);
     }
     std::vector<ChosenMethod> choices;
-    for (const std::string& text : texts) choices.push_back(choose_method(text));
+    for (const std::string& text : texts) {
+        ChosenMethod choice = choose_method(text);
+        if (!is_refused(choice, 1)) choices.push_back(std::move(choice));
+    }
+    return choices;
+}
+
+// Pairs of parameters with their values.
+using Pairs = std::set<std::tuple<std::size_t, std::size_t, std::string, std::string>>;
+
+inline Pairs pairs_of(const ChosenMethod& choice)
+{
+    Pairs pairs;
+    for (std::size_t i = 0; i < choice.values.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+            pairs.emplace(i, j, choice.values[i], choice.values[j]);
+        }
+    }
+    return pairs;
+}
+
+// Every combination where there are few; else as many of them as have every pair of two parameters'
+// values, each time the one that has most of those missing.
+inline std::vector<ChosenMethod> every_choice(const MethodRow& row)
+{
+    constexpr std::size_t kFew = 16;
+    const std::vector<ChosenMethod> all = every_combination(row);
+    if (all.size() <= kFew) return all;
+    std::vector<Pairs> pairs;
+    Pairs missing;
+    for (const ChosenMethod& choice : all) {
+        pairs.push_back(pairs_of(choice));
+        missing.insert(pairs.back().begin(), pairs.back().end());
+    }
+    const auto gain = [&](const Pairs& some) {
+        return std::count_if(some.begin(), some.end(),
+                             [&](const auto& pair) { return missing.count(pair) != 0; });
+    };
+    std::vector<ChosenMethod> choices;
+    while (!missing.empty()) {
+        const auto best =
+            std::max_element(pairs.begin(), pairs.end(),
+                             [&](const Pairs& a, const Pairs& b) { return gain(a) < gain(b); });
+        choices.push_back(all[static_cast<std::size_t>(best - pairs.begin())]);
+        for (const auto& pair : *best) missing.erase(pair);
+    }
     return choices;
 }
 

@@ -22,6 +22,7 @@ struct ListedFragment {
     std::uint32_t primitive, object;
     float red, green, blue, opacity;
     float center, dx, dy, least, most;  // depth at the pixel's centre, and its plane
+    std::uint32_t back_facing;
 };
 
 struct FragmentLists {
@@ -83,10 +84,13 @@ inline void list_fragments(FragmentLists& lists)
         const DepthPlane& d = run.depth;
         for (std::size_t i = run.first; i < run.first + run.count; ++i) {
             const std::uint32_t at = next[f.pixel[i]]++;
-            lists.fragments[at] = {
-                f.samples[i], f.samples_high[i], run.primitive, run.object, f.red[i],
-                f.green[i],   f.blue[i],         f.opacity[i],  f.depth[i], d.dx,
-                d.dy,         d.least,           d.most};
+            lists.fragments[at] = {f.samples[i],  f.samples_high[i],
+                                   run.primitive, run.object,
+                                   f.red[i],      f.green[i],
+                                   f.blue[i],     f.opacity[i],
+                                   f.depth[i],    d.dx,
+                                   d.dy,          d.least,
+                                   d.most,        run.back_facing ? 1u : 0u};
             planes[at] = d;
         }
     }
@@ -94,9 +98,9 @@ inline void list_fragments(FragmentLists& lists)
 }
 
 // Another colour for every sample, premultiplied, and opaque, half transparent or empty.
-inline SampleColors make_backdrop(int samples)
+inline SampleColors make_backdrop(int samples, bool divides = false)
 {
-    SampleColors colors(samples);
+    SampleColors colors(samples, divides);
     for (std::size_t i = 0; i < kTilePixels * static_cast<std::size_t>(samples); ++i) {
         const std::size_t pixel = i / static_cast<std::size_t>(samples);
         const std::size_t s = i % static_cast<std::size_t>(samples);
@@ -123,6 +127,20 @@ Words words_of(const Floats& floats)
     return words;
 }
 
+// What a method divides after the filter, the filter being a sample's.
+inline void add_fraction(SampleColors& colors)
+{
+    for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
+        for (std::size_t s = 0; s < static_cast<std::size_t>(colors.samples); ++s) {
+            const auto part = [&](std::size_t c) { return colors.fraction.channel(pixel, c)[s]; };
+            if (!(part(3) > 0)) continue;
+            for (std::size_t c = 0; c < 3; ++c) {
+                colors.channel(pixel, c)[s] += part(4) * (part(c) / part(3));
+            }
+        }
+    }
+}
+
 // What the method's store makes of the lists over the backdrop, in the layout of SampleColors.
 inline Words resolved_by_store(const FragmentLists& lists, const std::string& method_text,
                                TargetSet targets)
@@ -131,11 +149,13 @@ inline Words resolved_by_store(const FragmentLists& lists, const std::string& me
     const StoreVerbs verbs = method.row->verbs(targets, method, lists.set.count);
     const auto store = verbs.make({&lists.set, &method, lists.eye, lists.stream.capacity});
     verbs.clear(store.get(), lists.place);
-    for (int pass = 0; pass < method.row->passes; ++pass) {
+    for (int pass = 0; pass < method.traits().passes; ++pass) {
         verbs.insert(store.get(), lists.stream, pass);
     }
-    SampleColors colors = make_backdrop(lists.set.count);
+    const bool divides = method.traits().divides;
+    SampleColors colors = make_backdrop(lists.set.count, divides);
     verbs.resolve(store.get(), colors);
+    if (divides) add_fraction(colors);
     return words_of(colors.values);
 }
 

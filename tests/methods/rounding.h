@@ -24,11 +24,15 @@
 // weighted      T = (1 - s / n)^n. s is off by n, 1 - s / n by (n + 1) s / n + 1 of 1; the slope of
 // average       the power turns that into 2 n + 1 at most, as n x (1 - x)^(n-1) <= 1; squaring and
 //               multiplying add 2 n: 4 n + 1 for T, which counts with the mean and with B.
-// stochastic    one of its inputs, untouched.
+// stochastic    basic: one of its inputs, untouched; of P passes the mean of P, which costs P + 4.
+//               Alpha corrected: the mean of those, P + 4, times 1 - T, 2 n + 2, and T B.
+//               Depth-based: two sums of n P terms, 2 (n P + 2), or, uncorrected, one, whose size
+//               is up to n M.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -65,7 +69,18 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
     } else if (id == "wboit") {
         weights = 2 * weight_roundings(method.value("weight"));
         formula = weights + 2 * (n + 2) + 2 * n + 6 + backdrop;
-    } else if (id != "none" && id != "stochastic") {
+    } else if (id == "stochastic") {
+        const double passes = method.number("sample-passes");
+        const bool corrects = method.value("correction") == "on";
+        if (method.value("depth-based") == "on") {
+            formula = backdrop + (corrects ? 2 * (n * passes + 2) + 2 * n + 6
+                                           : (n * passes + 4) * std::max(n, 1.0));
+        } else if (corrects) {
+            formula = passes + 4 + 2 * n + 2 + backdrop;
+        } else if (passes > 1) {
+            formula = passes + 4;
+        }
+    } else if (id != "none") {
         ADD_FAILURE() << "there is no bound for the method '" << id << "'";
     }
     // Both are as far from the same formula, with the weights that they have.
@@ -75,5 +90,11 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
 // One fragment over a backdrop: 1 - a, 1 - T, the mean (a product and a quotient), two products and
 // a sum, and 1 - a once more in T B; none of numbers above M.
 inline constexpr double kOneFragment = 8 * kUnit;
+
+// Several passes add it up, in both sums of a quotient.
+inline double one_fragment_bound(const ChosenMethod& method)
+{
+    return kOneFragment + 2 * (method.traits().passes - 1) * kUnit;
+}
 
 }  // namespace sheer

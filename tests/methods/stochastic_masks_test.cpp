@@ -106,7 +106,7 @@ void expect_counts(const std::vector<int>& outcomes, const std::vector<double>& 
 
 Image red_over_green_picture(std::uint32_t key)
 {
-    const Take take{choose_method("stochastic"), {key}, false};
+    const Take take{choose_method("stochastic"), {key}};
     return render_takes(scene_of(red_over_green()), centered_view(256, 8), {}, {{&take, 1}})
         .frames.front()
         .image;

@@ -145,15 +145,35 @@ TEST(Stochastic, AnObjectsSurfacesShareAMaskWhereItSeedsThem)
     for (const Masks masks : {Masks::naive, Masks::stratified}) {
         const auto right = moments_of(layers, masks, 8);
         const auto hidden = moments_of({layers.front()}, masks, 8);
-        for (const char* seed_by : {"depth", "primitive", "object"}) {
+        for (const char* seed_by : {"depth", "primitive", "object", "object-alone"}) {
             SCOPED_TRACE(std::string(name_of(masks)) + ", " + seed_by);
-            const bool one_mask = seed_by == std::string("object");
+            const bool one_mask =
+                seed_by == std::string("object") || seed_by == std::string("object-alone");
             const std::string method = method_with(masks) + ":seed-by=" + seed_by;
             const std::vector<Image> pictures = {picture(scene, centered_view(160, 8), method, 3)};
             expect_moments(pictures, one_mask ? hidden : right);
             EXPECT_EQ(!mean_agrees(observe(values(pictures, 2)), right[2]), one_mask);
         }
         EXPECT_NEAR(hidden[2].mean - right[2].mean, 0.45 * 0.55, 1e-7);
+    }
+}
+
+// As a cylinder's, of which one side faces away: the bit for it keeps their masks apart.
+TEST(Stochastic, TheSideThatIsSeenSeedsAnObjectToo)
+{
+    const StochasticLayers layers = red_over_green();
+    for (const char* seed_by : {"object", "object-alone"}) {
+        DrivenTile tile("stochastic:seed-by=" + std::string(seed_by), 8);
+        const auto one_cylinder = [](FragmentStream& f) {
+            f.runs[0].object = f.runs[1].object = 7;
+            f.runs[1].back_facing = true;
+        };
+        const Image image = tile.draw_picture(layers, 128, one_cylinder, [](int x, int y) {
+            return TilePlace{x, y, 0xabcdefu};
+        });
+        const bool apart = seed_by == std::string("object");
+        expect_moments({image}, moments_of(apart ? layers : StochasticLayers{layers.front()},
+                                           Masks::stratified, 8));
     }
 }
 
@@ -197,7 +217,7 @@ TEST(Stochastic, AccumulatedIsTheMeanOfThePictures)
     options.seed = 77;
     std::vector<std::vector<double>> sums(4, std::vector<double>(70 * 70));
     for (int i = 0; i < kPictures; ++i) {
-        const Take take{choose_method(options.method), {frame_key(options.seed, i)}, false};
+        const Take take{choose_method(options.method), {frame_key(options.seed, i)}};
         const FrameTakes one = render_takes(scene, view, options, {{&take, 1}});
         for (std::size_t c = 0; c < 4; ++c) {
             const std::vector<double> some = channel_of(one.frames.front().image, c);

@@ -24,7 +24,10 @@ struct Texts {
 #include "sheer/exact.glsl"
 #include "sheer/weighted_average.glsl"
 #include "sheer/wboit.glsl"
+#include "sheer/stochastic_masks.glsl"
 #include "sheer/stochastic.glsl"
+#include "sheer/alpha_correction.glsl"
+#include "sheer/stochastic_depth.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -54,6 +57,8 @@ struct MethodAlone {
     static Kept kept(real3 c, real a, real b = real(0.0f)) { return {c.x, c.y, c.z, a, b}; }
     void begin_pixel(std::uint32_t) {}
     static constexpr bool kSorted = false;
+    static constexpr int kPasses = 1;
+    int pass = 0;
 };
 
 template <class L>
@@ -140,17 +145,17 @@ struct WboitAlone : MethodAlone<L> {
     static auto keep(Store s) { return WboitAlone::kept(s.color, s.weight, s.transmittance); }
 };
 
+// The masks of a pixel's fragments.
 template <class L>
-struct StochasticAlone : MethodAlone<L> {
+struct MasksAlone : MethodAlone<L> {
     using T = Texts<L>;
     using real = typename L::real;
-    using Store = typename T::StochasticStore;
     const bool stratified = this->method.value("masks") == "stratified";
+    const bool dithered = this->method.value("round") == "tile-dither";
     std::vector<typename T::SampleBits> masks = {};  // of the pixel's fragments
     std::uint32_t first = 0;
 
     static real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
-    static Store clear() { return T::stochastic_clear(beyond_any()); }
     void begin_pixel(std::uint32_t pixel)
     {
         const TilePlace& place = this->lists.place;
@@ -159,34 +164,123 @@ struct StochasticAlone : MethodAlone<L> {
         masks.clear();
         first = this->lists.first[pixel];
         for (std::uint32_t i = first; i < this->lists.first[pixel + 1]; ++i) {
-            const std::uint32_t named = identity(this->lists.fragments[i]);
-            const std::uint32_t own = T::fragment_seed(x, y, T::identity_seed(named, place.key));
+            const std::uint32_t identity =
+                T::identity_seed(name_of(this->lists.fragments[i]), place.key);
+            std::uint32_t own = T::fragment_seed(x, y, identity);
             const int samples = this->lists.set.count;
-            masks.push_back(stratified ? T::stratified_mask(own, this->opacity(i), samples)
-                                       : T::naive_mask(own, this->opacity(i), samples));
+            if (!stratified) {
+                masks.push_back(T::naive_mask(own, this->opacity(i), samples));
+                continue;
+            }
+            const real xi =
+                dithered ? T::dithered_xi(x, y, identity, own) : T::next_random_real(own);
+            masks.push_back(T::stratified_mask(own, xi, this->opacity(i), samples));
         }
     }
-    std::uint32_t identity(const ListedFragment& f) const
+    std::uint32_t name_of(const ListedFragment& f) const
     {
         const std::string& by = this->method.value("seed-by");
         if (by == "depth") return std::bit_cast<std::uint32_t>(f.center);
-        return by == "object" ? f.object : f.primitive;
+        if (by == "primitive") return f.primitive;
+        return by == "object" ? 2 * f.object + f.back_facing : f.object;
     }
-    Store insert(Store s, std::size_t i, std::size_t at) const
+    bool takes(std::size_t i, std::size_t at) const
     {
         const auto& mask = masks[i - first];
         const bool taken = ((at < 32 ? mask.low : mask.high) >> at % 32 & 1) != 0;
-        const Store fragment{real(this->lists.depth_at(i, at)), this->lists.fragments[i].primitive,
-                             this->color(i)};
-        return T::stochastic_insert(s, taken && this->lists.covers(i, at), fragment);
+        return taken && this->lists.covers(i, at);
     }
-    static auto resolve(Store s, typename T::real3 behind)
+    real depth(std::size_t i, std::size_t at) const { return real(this->lists.depth_at(i, at)); }
+    std::uint32_t id(std::size_t i) const { return this->lists.fragments[i].primitive; }
+};
+
+template <class L>
+struct StochasticAlone : MasksAlone<L> {
+    using T = Texts<L>;
+    using real = typename L::real;
+    using real3 = typename T::real3;
+    struct Store {
+        typename T::StochasticStore nearest;
+        real transmittance;
+        bool corrects;
+    };
+
+    Store clear() const
     {
-        return T::stochastic_resolve(s, beyond_any(), behind);
+        return {T::stochastic_clear(this->beyond_any()), real(1.0f),
+                this->method.value("correction") == "on"};
     }
-    static real transmittance(Store s) { return T::stochastic_transmittance(s, beyond_any()); }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        s.nearest = T::stochastic_insert(s.nearest, this->takes(i, at),
+                                         {this->depth(i, at), this->id(i), this->color(i)});
+        s.transmittance =
+            T::total_alpha_insert(s.transmittance, this->lists.covers(i, at), this->opacity(i));
+        return s;
+    }
+    static real empty(Store s)
+    {
+        return T::stochastic_transmittance(s.nearest, StochasticAlone::beyond_any());
+    }
+    static real3 resolve(Store s, real3 behind)
+    {
+        const real beyond = StochasticAlone::beyond_any();
+        if (!s.corrects) return T::stochastic_resolve(s.nearest, beyond, behind);
+        const real none(0.0f), one(1.0f);
+        const real3 shown = T::stochastic_resolve(s.nearest, beyond, {none, none, none});
+        return T::over(T::alpha_corrected(shown, one - empty(s), one - s.transmittance),
+                       s.transmittance, behind);
+    }
+    static real transmittance(Store s) { return s.corrects ? s.transmittance : empty(s); }
     // The id is whole and stays out of it.
-    static auto keep(Store s) { return StochasticAlone::kept(s.color, s.depth); }
+    static auto keep(Store s)
+    {
+        return StochasticAlone::kept(s.nearest.color, s.nearest.depth, s.transmittance);
+    }
+};
+
+template <class L>
+struct StochasticDepthAlone : MasksAlone<L> {
+    using T = Texts<L>;
+    using real = typename L::real;
+    using real3 = typename T::real3;
+    static constexpr int kPasses = 2;
+    struct Store {
+        typename T::StochasticDepthStore sums;
+        bool corrects;
+    };
+
+    Store clear() const
+    {
+        return {T::stochastic_depth_clear(this->beyond_any()),
+                this->method.value("correction") == "on"};
+    }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        if (this->pass == 0) {
+            s.sums = T::stochastic_depth_insert(s.sums, this->takes(i, at), this->depth(i, at),
+                                                this->id(i));
+            return s;
+        }
+        const bool covered = this->lists.covers(i, at);
+        s.sums = T::stochastic_depth_add(s.sums, covered, this->depth(i, at), this->id(i),
+                                         this->color(i), this->opacity(i));
+        s.sums.transmittance =
+            T::total_alpha_insert(s.sums.transmittance, covered, this->opacity(i));
+        return s;
+    }
+    static real3 resolve(Store s, real3 behind)
+    {
+        const real one(1.0f), through = s.sums.transmittance;
+        if (!s.corrects) return T::over(s.sums.color, through, behind);
+        return T::over(T::alpha_corrected(s.sums.color, s.sums.weight, one - through), through,
+                       behind);
+    }
+    static real transmittance(Store s) { return s.sums.transmittance; }
+    static auto keep(Store s)
+    {
+        return StochasticDepthAlone::kept(s.sums.color, s.sums.weight, s.sums.transmittance);
+    }
 };
 
 template <class L, template <class> class Method>
@@ -201,10 +295,12 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const ChosenMethod
     for (std::uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
         text.begin_pixel(pixel);
         for (std::size_t s = 0; s < samples; ++s) {
-            auto store = Method<L>::clear();
-            for (std::uint32_t i = lists.first[pixel]; i < lists.first[pixel + 1]; ++i) {
-                const std::size_t sorted = s * lists.fragments.size() + i;
-                store = text.insert(store, Method<L>::kSorted ? lists.sorted[sorted] : i, s);
+            auto store = text.clear();
+            for (text.pass = 0; text.pass < Method<L>::kPasses; ++text.pass) {
+                for (std::uint32_t i = lists.first[pixel]; i < lists.first[pixel + 1]; ++i) {
+                    const std::size_t sorted = s * lists.fragments.size() + i;
+                    store = text.insert(store, Method<L>::kSorted ? lists.sorted[sorted] : i, s);
+                }
             }
             const auto behind = [&](std::size_t c) { return real(backdrop.channel(pixel, c)[s]); };
             const auto color = Method<L>::resolve(store, {behind(0), behind(1), behind(2)});
@@ -231,6 +327,9 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "exact") return make_alone<L, ExactAlone>(lists, method);
     if (id == "weighted-average") return make_alone<L, WeightedAverageAlone>(lists, method);
     if (id == "wboit") return make_alone<L, WboitAlone>(lists, method);
+    if (id == "stochastic" && method.value("depth-based") == "on") {
+        return make_alone<L, StochasticDepthAlone>(lists, method);
+    }
     if (id == "stochastic") return make_alone<L, StochasticAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }
@@ -248,7 +347,12 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "stochastic:masks=stratified:seed-by=primitive",
     "stochastic:masks=stratified:seed-by=object",
     "stochastic:masks=stratified:seed-by=depth",
+    "stochastic:masks=stratified:seed-by=object-alone",
     "stochastic:masks=naive:seed-by=primitive",
+    "stochastic:round=tile-dither",
+    "stochastic:correction=on",
+    "stochastic:depth-based=on",
+    "stochastic:depth-based=on:correction=on",
 };
 
 }  // namespace sheer::test

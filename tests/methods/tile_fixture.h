@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lanes/targets.h"
+#include "methods/fragment_lists.h"
 #include "methods/method.h"
 #include "reference/reference.h"
 
@@ -168,27 +169,50 @@ public:
         constexpr std::size_t kMost = kMostFragments / kUsedPixels;
         static FragmentStream stream(kMostFragments);
         for (; !plates.empty(); plates = plates.subspan(std::min(kMost, plates.size()))) {
-            fill_stream(plates.first(std::min(kMost, plates.size())), stream);
+            const auto some = plates.first(std::min(kMost, plates.size()));
+            seen_.insert(seen_.end(), some.begin(), some.end());
+            fill_stream(some, stream);
             verbs_.insert(store_.get(), stream, 0);
         }
     }
-    // All of `later` arrived later, for the methods that see it.
-    void merge(const Tile& later) { verbs_.merge(store_.get(), later.store_.get()); }
+    // All of `later` arrived later, for the methods that see it. Merged after the first pass.
+    void merge(const Tile& later)
+    {
+        verbs_.merge(store_.get(), later.store_.get());
+        seen_.insert(seen_.end(), later.seen_.begin(), later.seen_.end());
+    }
 
+    // After the passes that are left. Of a method that divides, the filter being a sample's.
     Colors resolve(const Colors& backdrop)
     {
-        SampleColors colors(setting_.set->count);
+        const MethodTraits traits = setting_.method.traits();
+        for (; pass_ < traits.passes; ++pass_) insert_again(pass_);
+        SampleColors colors(setting_.set->count, traits.divides);
         std::copy(backdrop.begin(), backdrop.end(), colors.values.data());
         verbs_.resolve(store_.get(), colors);
+        if (traits.divides) test::add_fraction(colors);
         return {colors.values.data(), colors.values.data() + colors.values.size()};
     }
 
 private:
     static constexpr int kMostFragments = 4096;
 
+    void insert_again(int pass)
+    {
+        constexpr std::size_t kMost = kMostFragments / kUsedPixels;
+        static FragmentStream stream(kMostFragments);
+        std::span<const Plate> plates = seen_;
+        for (; !plates.empty(); plates = plates.subspan(std::min(kMost, plates.size()))) {
+            fill_stream(plates.first(std::min(kMost, plates.size())), stream);
+            verbs_.insert(store_.get(), stream, pass);
+        }
+    }
+
     Setting setting_;
     StoreVerbs verbs_;
     std::shared_ptr<void> store_;
+    Plates seen_;
+    int pass_ = 1;  // to come
 };
 
 inline Colors resolve_plates(const Setting& setting, std::span<const Plate> plates,

@@ -11,6 +11,7 @@ struct Fragment {
     uint primitive, object;
     float red, green, blue, opacity;
     float center, dx, dy, least, most;  // depth at the pixel's centre, and its plane
+    uint back_facing;
 };
 
 struct Tile {

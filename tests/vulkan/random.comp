@@ -3,7 +3,7 @@
 // Hashes, random numbers and masks, of one seed and opacity a lane.
 #include "sheer/prelude.glsl"
 #include "sheer/random.glsl"
-#include "sheer/stochastic.glsl"
+#include "sheer/stochastic_masks.glsl"
 
 layout(local_size_x = 64) in;
 layout(constant_id = 0) const int kSamples = 1;
@@ -21,9 +21,18 @@ void main()
     uint next = next_random(state);
     float next_real = next_random_real(state);
     SampleBits naive = naive_mask(seed, opacity, kSamples);
-    SampleBits stratified = stratified_mask(seed, opacity, kSamples);
-    uint[10] all = uint[](hash_whole(seed), identity_seed(i, seed), fragment_seed(seed, i, next),
+    uint own = seed;
+    float xi = next_random_real(own);
+    SampleBits stratified = stratified_mask(own, xi, opacity, kSamples);
+    float dithered = dithered_xi(seed & 0x3fffu, i & 0x3fffu, next, own);
+    SampleBits part = sample_part(stratified, kSamples / 2, kSamples - kSamples / 2);
+    uint count = uint(bitCount(naive.low) + (kSamples > 32 ? bitCount(naive.high) : 0));
+    SampleBits open = stratified_mask_of_open(own, xi, opacity, naive, count, kSamples);
+    uint index = mask_table_index(seed, opacity);
+    SampleBits table = mask_of_table(index / 2047u, index % 2047u, kSamples);
+    uint[18] all = uint[](hash_whole(seed), identity_seed(i, seed), fragment_seed(seed, i, next),
                           next, floatBitsToUint(next_real), state, naive.low, naive.high,
-                          stratified.low, stratified.high);
-    for (uint k = 0; k < 10; ++k) results[10 * i + k] = all[k];
+                          stratified.low, stratified.high, floatBitsToUint(dithered), part.low,
+                          part.high, open.low, open.high, index, table.low, table.high);
+    for (uint k = 0; k < 18; ++k) results[18 * i + k] = all[k];
 }

@@ -65,6 +65,7 @@ public:
         const ChosenMethod method = choose_method(method_text);
         std::string name = method.row->id;
         std::replace(name.begin(), name.end(), '-', '_');
+        if (name == "stochastic" && method.value("depth-based") == "on") name += "_depth";
         std::vector<Words> buffers = buffers_;
         const std::size_t lanes = kTilePixels * static_cast<std::size_t>(samples_);  // of a tile
         const auto groups = static_cast<std::uint32_t>(tile_count_ * lanes / 64);
@@ -117,7 +118,12 @@ private:
         if (id == "stochastic") {
             const std::string& by = method.value("seed-by");
             all.push_back({1, method.value("masks") == "stratified" ? 1u : 0u});
-            all.push_back({2, by == "depth" ? 0u : by == "primitive" ? 1u : 2u});
+            all.push_back({2, by == "depth"       ? 0u
+                              : by == "primitive" ? 1u
+                              : by == "object"    ? 2u
+                                                  : 3u});
+            all.push_back({3, method.value("round") == "tile-dither" ? 1u : 0u});
+            all.push_back({4, method.value("correction") == "on" ? 1u : 0u});
         }
         return all;
     }

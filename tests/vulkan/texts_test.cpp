@@ -66,7 +66,16 @@ Words random_words(std::uint32_t i, std::uint32_t seed, float opacity, int sampl
     const std::uint32_t next = T::next_random(state);
     const auto next_real = std::bit_cast<std::uint32_t>(T::next_random_real(state));
     const auto naive = T::naive_mask(seed, opacity, samples);
-    const auto stratified = T::stratified_mask(seed, opacity, samples);
+    std::uint32_t own = seed;
+    const float xi = T::next_random_real(own);
+    const auto stratified = T::stratified_mask(own, xi, opacity, samples);
+    const float dithered = T::dithered_xi(seed & 0x3fffu, i & 0x3fffu, next, own);
+    const auto part = T::sample_part(stratified, samples / 2, samples - samples / 2);
+    const int count = std::popcount(naive.low) + (samples > 32 ? std::popcount(naive.high) : 0);
+    const auto open = T::stratified_mask_of_open(own, xi, opacity, naive,
+                                                 static_cast<std::uint32_t>(count), samples);
+    const std::uint32_t index = T::mask_table_index(seed, opacity);
+    const auto table = T::mask_of_table(index / 2047, index % 2047, samples);
     return {T::hash_whole(seed),
             T::identity_seed(i, seed),
             T::fragment_seed(seed, i, next),
@@ -76,7 +85,15 @@ Words random_words(std::uint32_t i, std::uint32_t seed, float opacity, int sampl
             naive.low,
             naive.high,
             stratified.low,
-            stratified.high};
+            stratified.high,
+            std::bit_cast<std::uint32_t>(dithered),
+            part.low,
+            part.high,
+            open.low,
+            open.high,
+            index,
+            table.low,
+            table.high};
 }
 
 // The seed whose first random number is `wanted`, of 24 bits: the hash backwards.

@@ -1,0 +1,20 @@
+// The table of masks of stochastic transparency (shaders/sheer/stochastic_masks.glsl,
+// mask_of_table).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace sheer {
+
+// Masks by their index; 8 MB each.
+struct MaskTable {
+    std::vector<std::uint32_t> low;
+    std::vector<std::uint32_t> high;  // samples 32 to 63, if there are any
+};
+
+// Made once for all stores that use it at the same time. 1 to 64 samples.
+std::shared_ptr<const MaskTable> mask_table(int samples);
+
+}  // namespace sheer

@@ -1,0 +1,117 @@
+// The row of `stochastic`, whose parameters choose between two stores.
+#include "methods/method.h"
+
+namespace sheer {
+
+StoreVerbs stochastic_verbs(TargetSet targets, int samples);
+StoreVerbs stochastic_depth_verbs(TargetSet targets, int samples);
+
+namespace {
+
+bool is_on(const ChosenMethod& method, const char* parameter)
+{
+    return method.value(parameter) == "on";
+}
+
+MethodTraits traits_of(const ChosenMethod& method)
+{
+    const int passes = method.number("sample-passes");
+    const bool corrects = is_on(method, "correction");
+    MethodTraits traits;
+    traits.bytes_besides = 4;
+    traits.divides = corrects;
+    if (is_on(method, "depth-based")) {
+        traits.passes = 2 * passes;
+        traits.pass_names = {"stochastic depth", "accumulation"};
+        traits.bytes_per_sample = 28;
+        traits.any_order = Agreement::rounding;
+        traits.merge = passes == 1 ? Agreement::rounding : Agreement::none;
+        traits.bias = corrects ? Bias::consistent : Bias::unbiased;
+        traits.exact_up_to = 1;
+        traits.within_inputs = corrects;
+    } else {
+        traits.passes = passes;
+        traits.pass_names = {"stochastic"};
+        traits.bytes_per_sample = 20 + (corrects ? 4 : 0) + (passes > 1 ? 16 : 0);
+        traits.any_order = corrects ? Agreement::rounding : Agreement::bits;
+        traits.merge = passes > 1 ? Agreement::none : traits.any_order;
+        traits.bias = corrects ? Bias::neither : Bias::unbiased;
+    }
+    if (method.value("masks") == "table") traits.bias = Bias::neither;
+    if (method.value("depth-test") == "before" && method.value("masks") != "naive") {
+        traits.any_order = Agreement::none;
+        traits.merge = Agreement::none;
+    }
+    return traits;
+}
+
+std::string refusal(const ChosenMethod& method, int samples)
+{
+    const int passes = method.number("sample-passes");
+    const bool joint = method.value("pass-masks") == "joint";
+    if (joint && passes * samples > 64) {
+        return "the masks of sample-passes=" + std::to_string(passes) + " with " +
+               std::to_string(samples) +
+               " samples each are stratified together up to 64; pass-masks=independent has no "
+               "such limit";
+    }
+    if (method.value("depth-test") == "after") return "";
+    if (method.value("masks") == "table") {
+        return "depth-test=before draws from the samples that are left, which masks=table can't";
+    }
+    if (joint && passes > 1 && method.value("masks") != "naive") {
+        return "depth-test=before goes with pass-masks=independent: what is left differs by pass";
+    }
+    if (is_on(method, "depth-based") && method.value("masks") != "naive") {
+        return "depth-test=before is for the basic method; depth-based=on sees all samples";
+    }
+    return "";
+}
+
+StoreVerbs verbs(TargetSet targets, const ChosenMethod& method, int samples)
+{
+    return (is_on(method, "depth-based") ? stochastic_depth_verbs : stochastic_verbs)(targets,
+                                                                                      samples);
+}
+
+}  // namespace
+
+MethodRow stochastic_row()
+{
+    MethodRow row{
+        .id = "stochastic",
+        .title = "Stochastic transparency: each fragment takes a random part of its samples",
+        .citation = "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. I3D 2010",
+        .parameters =
+            {{"masks", "naive|stratified|table", "stratified",
+              "each sample for itself; as many of S as the opacity says; such masks from a table, "
+              "by the opacity in steps of 1/1000"},
+             {"round", "random|tile-dither", "random",
+              "how their number is rounded: at random, or dithered over squares of 8x8 pixels"},
+             {"seed-by", "depth|primitive|object|object-alone", "primitive",
+              "what a fragment's random numbers depend on, besides its pixel; object: and the side "
+              "that is seen; without it one object's layers hide one another: too transparent"},
+             {"depth-test", "before|after", "after",
+              "whether samples that the fragment loses are left out before their number is drawn"},
+             {"correction", "off|on", "off",
+              "alpha correction: colours scaled to the exact total alpha"},
+             {"depth-based", "off|on", "off",
+              "samples keep depths; all fragments in front of them are added up"},
+             {"sample-passes", "1..16", "1", "passes of S samples each"},
+             {"pass-masks", "joint|independent", "joint",
+              "whether the passes' masks are stratified together, up to 64 samples"}},
+        .traits = {},
+        .random = true,
+        .bench_only = false,
+        .verbs = verbs,
+        .traits_of = traits_of,
+        .refusal = refusal};
+    ChosenMethod standard{&row, {}};
+    for (const Parameter& parameter : row.parameters) {
+        standard.values.emplace_back(parameter.standard);
+    }
+    row.traits = traits_of(standard);
+    return row;
+}
+
+}  // namespace sheer
