@@ -9,13 +9,13 @@
 #include <tuple>
 #include <utility>
 
+#include "reference/raw_moments.h"
+
 namespace sheer::reference {
 namespace {
 
 constexpr std::size_t kChannels = 4;
-constexpr std::size_t kOrders = 5;
 
-using RawMoments = std::array<double, kOrders>;  // E[X^i], times the probability of the state
 using State = std::array<RawMoments, kChannels>;
 
 std::array<double, kChannels> channels(const Rgba& color)
@@ -31,36 +31,6 @@ std::vector<double> binomials(std::size_t n)
         row[k] = row[k - 1] * static_cast<double>(n - k + 1) / static_cast<double>(k);
     }
     return row;
-}
-
-// The raw moments of X + step, by the binomial theorem.
-RawMoments shift(const RawMoments& raw, double step)
-{
-    constexpr double kBinomials[kOrders][kOrders] = {
-        {1}, {1, 1}, {1, 2, 1}, {1, 3, 3, 1}, {1, 4, 6, 4, 1}};
-    RawMoments result = {};
-    for (std::size_t order = 0; order < kOrders; ++order) {
-        double power = 1;
-        for (std::size_t i = order + 1; i-- > 0; power *= step) {
-            result[order] += kBinomials[order][i] * power * raw[i];
-        }
-    }
-    return result;
-}
-
-void add_scaled(RawMoments& sum, double scale, const RawMoments& raw)
-{
-    for (std::size_t order = 0; order < kOrders; ++order) {
-        sum[order] += scale * raw[order];
-    }
-}
-
-// Of X + origin. The first raw moment is the rounding that is left of the mean.
-Moments central(const RawMoments& raw, double origin)
-{
-    const double m = raw[1];
-    return {origin + m, std::max(0.0, raw[2] - m * m),
-            std::max(0.0, raw[4] - 4 * m * raw[3] + 6 * m * m * raw[2] - 3 * m * m * m * m)};
 }
 
 // By the number of samples that are still uncovered. All layers treat the samples alike, so nothing
