@@ -1,14 +1,13 @@
 // sheer compare: methods side by side on one scene, against the truth.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <span>
-#include <system_error>
 
 #include <sheer/sheer.h>
 
 #include "cli/commands.h"
+#include "cli/folder.h"
 #include "cli/help_text.h"
 #include "cli/metrics_report.h"
 #include "cli/output.h"
@@ -66,16 +65,6 @@ void check_request(CompareRequest& request)
     }
     for (const std::string& method : request.methods) {
         check_makes_picture("--methods", method);
-    }
-}
-
-void make_folder(const std::string& folder)
-{
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder)) {
-        throw Error(Fault::input,
-                    folder + ": can't be made a folder" + (error ? ": " + error.message() : ""));
     }
 }
 

@@ -7,6 +7,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "support/text.h"
+
 namespace sheer {
 
 using Json = nlohmann::ordered_json;
@@ -22,7 +24,6 @@ std::string one_line(std::string text);
 
 std::string with_commas(std::uint64_t number);                       // 5812345: "5,812,345"
 std::string counted(std::uint64_t number, const std::string& noun);  // "1 sample", "8 samples"
-std::string fixed(double number, int digits);                        // "-" for what is not finite
 
 // Cells in columns as wide as they need to be. The first `left` columns are aligned to the left,
 // the others to the right, but for the last column where it holds prose.

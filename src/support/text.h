@@ -19,6 +19,9 @@ inline std::vector<std::string> split(std::string_view text, char separator)
     }
 }
 
+// With that many digits after the point; "-" for what is not finite.
+std::string fixed(double number, int digits);
+
 // "640x480"
 inline std::string size_text(int width, int height)
 {
