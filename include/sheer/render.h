@@ -22,6 +22,35 @@ enum class Filter {
     gaussian,  // sigma 0.5 pixel, over the 3x3 pixels around, 0 from 1.5 pixels on
 };
 
+enum class ShadowKind {
+    none,        // light goes through everything
+    stochastic,  // maps of random samples: Enderton et al., Stochastic Transparency, 3.2 and 3.6
+    exact,       // a ray to each light: slow, to judge maps by
+};
+
+enum class ShadowMasks { naive, stratified };
+
+enum class Footprint {
+    fixed,   // all texels around the point
+    random,  // as many, each at random out of a place kShadowSpread times as wide
+};
+
+inline constexpr int kShadowSpread = 4;
+
+// The sun, directional and spot lights cast shadows, each from a map of its own; point lights and
+// the sky cast none. docs/numerics.md, "Shadows", has the formulas.
+struct Shadows {
+    ShadowKind kind = ShadowKind::none;
+    // From here on of stochastic shadows alone.
+    ShadowMasks masks = ShadowMasks::stratified;
+    bool correction = false;  // by the exact total: less noise, but biased
+    bool colored = false;     // coloured glass casts its colour, from three maps; else grey
+    int size = 1024;          // texels across a map, 16 to 8192
+    int samples = 16;         // of a texel: 1, 2, 4, 8, 16, 32 or 64
+    int filter = 1;           // texels across what is averaged around a point, 1 to 8
+    Footprint footprint = Footprint::fixed;
+};
+
 // What is seen and how it is sampled.
 struct View {
     int width = 1024;  // pixels, 1 to kMaxImageSize
@@ -35,6 +64,7 @@ struct View {
     std::optional<Float3> target;
     std::optional<float> fov;  // full vertical angle in degrees, of that camera
     float exposure = 0;  // EV, -32 to 32; surfaces are multiplied by 2^EV, the background is not
+    Shadows shadows;
 };
 
 enum class Simd { best, scalar, sse4, avx2, avx512, neon };

@@ -158,7 +158,7 @@ struct Sky {
 
 enum class LightKind { directional, point, spot };
 
-// KHR_lights_punctual; they cast no shadows.
+// KHR_lights_punctual.
 struct Light {
     LightKind kind = LightKind::point;
     Float3 position = {0, 0, 0};    // world space; point and spot

@@ -193,6 +193,32 @@ void check_scene(const Scene& scene)
     }
 }
 
+namespace {
+
+bool is_sample_count(int samples)
+{
+    return samples >= 1 && samples <= 64 && (samples & (samples - 1)) == 0;
+}
+
+void check_whole(const char* what, int value, int least, int most)
+{
+    if (value >= least && value <= most) return;
+    refuse(std::string(what) + ": " + std::to_string(value) + " is not between " +
+           std::to_string(least) + " and " + std::to_string(most));
+}
+
+void check_shadows(const Shadows& shadows)
+{
+    check_whole("shadow-size", shadows.size, 16, 8192);
+    check_whole("shadow-filter", shadows.filter, 1, 8);
+    if (!is_sample_count(shadows.samples)) {
+        refuse("shadow-samples: " + std::to_string(shadows.samples) +
+               " is not one of 1, 2, 4, 8, 16, 32, 64");
+    }
+}
+
+}  // namespace
+
 void check_view(const View& view, const Options& options)
 {
     if (view.width < 1 || view.height < 1 || view.width > kMaxImageSize ||
@@ -201,13 +227,12 @@ void check_view(const View& view, const Options& options)
                " is not between 1x1 and 16384x16384");
     }
     static_assert(kMaxImageSize == 16384);
-    bool known = false;
-    for (const int samples : {1, 2, 4, 8, 16, 32, 64}) known |= samples == view.samples;
-    if (!known) {
+    if (!is_sample_count(view.samples)) {
         refuse("samples: " + std::to_string(view.samples) +
                " is not one of 1, 2, 4, 8, 16, 32, 64");
     }
     if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
+    check_shadows(view.shadows);
     if (options.threads < 0 || options.threads > 4096) {
         refuse("threads: " + std::to_string(options.threads) + " is not between 0 and 4096");
     }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/check.h"
+#include "cli/shadow_options.h"
 #include "cli/values.h"
 #include "lanes/targets.h"
 #include "methods/method.h"
@@ -121,6 +122,7 @@ void add_view_options(CLI::App& command, ViewOptions& given)
 {
     add_picture_options(command, given.view);
     add_camera_options(command, given.view);
+    add_shadow_options(command, given.view.shadows);
     add_machine_options(command, given.options);
 }
 

@@ -8,6 +8,7 @@
 #include "cpu/frame_job.h"
 #include "cpu/frame_memory.h"
 #include "cpu/frame_stats.h"
+#include "cpu/shadow_maps.h"
 #include "cpu/stopwatch.h"
 #include "geometry/build.h"
 #include "geometry/object_distances.h"
@@ -110,7 +111,8 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
 FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
                                const Eye& eye, int threads, std::span<const Take> takes)
 {
-    FrameSurfaces result = make_surfaces(scene, view.exposure, eye, threads);
+    const Shadowed shadowed = view.shadows.kind == ShadowKind::none ? Shadowed::no : Shadowed::yes;
+    FrameSurfaces result = make_surfaces(scene, view.exposure, eye, threads, shadowed);
     const auto sorts_objects = [](const Take& take) {
         return submission_of(take) == Submission::objects_sorted;
     };
@@ -188,9 +190,12 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     const int geometry_threads = std::min(wanted, grid.count());
     const Geometry geometry =
         build_geometry({scene, projection, grid, samples.extent, geometry_threads});
-    const FrameSurfaces surfaces =
+    FrameSurfaces surfaces =
         prepare_surfaces(scene, view, projection, geometry.eye, geometry_threads, takes);
     geometry_time.stop();
+    const FrameShadows shadows = prepare_shadows(
+        {scene, view.shadows, geometry, surfaces, targets, wanted, options.seed}, options);
+    surfaces.light.shadows = shadows.drawn();
 
     FrameJob job{takes,
                  group_takes(takes),
@@ -239,6 +244,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     common.triangles = geometry.submitted;
     common.ms_geometry = geometry_time.ms();
     common.ms_total = total.ms();
+    common.ms_passes = shadows.passes;
     common.peak_memory_bytes = peak_memory_bytes();
     for (std::size_t i = 0; i < takes.size(); ++i) {
         result.frames[i].stats = make_stats(workers, job, i, common);

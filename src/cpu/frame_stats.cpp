@@ -26,7 +26,7 @@ void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats
     const double threads = stats.threads;
     stats.ms_raster_shade /= threads;
     stats.ms_resolve /= threads;
-    stats.ms_passes = {{"fragments", stats.ms_raster_shade}};
+    stats.ms_passes.push_back({"fragments", stats.ms_raster_shade});
     for (std::size_t i = 0; i < names.size(); ++i) {
         const double ms = ms_of_names[i] / threads;
         stats.ms_store += ms;

@@ -11,6 +11,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
+#include "cpu/light_places-inl.h"
 #include "cpu/locate-inl.h"
 #include "cpu/shade_point-inl.h"
 #include "cpu/visibility-inl.h"
@@ -78,26 +79,6 @@ HWY_INLINE void set_surface(const Tile& tile, const TriangleChunk& chunk, const 
     if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
 }
 
-inline void set_light_places(const Tile& tile, const Triangle& t, TriangleDetail& result)
-{
-    const std::vector<PreparedLight>& lights = tile.job.surfaces->light.lights;
-    std::vector<Float3>& places = tile.scratch.light_places;
-    result.edge1 = result.edge2 = {0, 0, 0};
-    result.light_places = nullptr;
-    if (lights.empty() || tile.job.surfaces->surfaces[t.object].shading == Shading::unlit) return;
-    const Eye& eye = tile.job.geometry->eye;
-    const auto p0 = place_of(eye, t, 0), p1 = place_of(eye, t, 1), p2 = place_of(eye, t, 2);
-    places.resize(lights.size());
-    result.light_places = places.data();
-    for (std::size_t i = 0; i < 3; ++i) {
-        result.edge1[i] = static_cast<float>(p1[i] - p0[i]);
-        result.edge2[i] = static_cast<float>(p2[i] - p0[i]);
-        for (std::size_t l = 0; l < lights.size(); ++l) {
-            places[l][i] = static_cast<float>(lights[l].place[i] - p0[i]);
-        }
-    }
-}
-
 inline void set_detail(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
                        TriangleDetail& result)
 {
@@ -110,7 +91,7 @@ inline void set_detail(const Tile& tile, const TriangleChunk& chunk, const Trian
     }
     result.tangent.set(a0.tangent, a1.tangent, a2.tangent);
     result.bitangent_side = a0.tangent[3] < 0 ? -1.0f : 1.0f;
-    set_light_places(tile, t, result);
+    set_light_places(tile.job, t, tile.scratch, result);
 }
 
 // A triangle's fragments, shaded a block at a time: `store(i, depth at the pixel's centre, shaded,

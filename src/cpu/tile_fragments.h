@@ -44,7 +44,9 @@ struct PendingRun {
 struct TileScratch {
     std::vector<PendingRun> pending;
     std::vector<SortedTriangle> sorted;
-    std::vector<Float3> light_places;  // as one triangle sees them
+    // As one triangle sees them.
+    std::vector<Float3> light_places;
+    std::vector<ShadowReceiver> receivers;
     // Of one opaque triangle.
     AlignedArray<std::uint32_t> pixel, low, high;
 

@@ -24,21 +24,6 @@ double aspect_of(const View& view)
     return static_cast<double>(view.width) / view.height;
 }
 
-void set_pose(Projection& projection, const Pose& pose)
-{
-    const Vec3 rows[3] = {pose.right, pose.up, pose.back};
-    for (std::size_t row = 0; row < 3; ++row) {
-        double shift = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            projection.world_to_view[4 * i + row] = rows[row][i];
-            shift -= rows[row][i] * pose.eye[i];
-        }
-        projection.world_to_view[12 + row] = shift;
-    }
-    projection.world_to_view[15] = 1;
-    std::copy(pose.eye.begin(), pose.eye.end(), projection.eye);
-}
-
 void set_fov(Projection& projection, double half_tangent, double aspect)
 {
     projection.scale_y = 1 / half_tangent;
@@ -162,6 +147,21 @@ Projection scene_camera(const Scene& scene, const View& view)
 }
 
 }  // namespace
+
+void set_pose(Projection& projection, const Pose& pose)
+{
+    const Vec3 rows[3] = {pose.right, pose.up, pose.back};
+    for (std::size_t row = 0; row < 3; ++row) {
+        double shift = 0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            projection.world_to_view[4 * i + row] = rows[row][i];
+            shift -= rows[row][i] * pose.eye[i];
+        }
+        projection.world_to_view[12 + row] = shift;
+    }
+    projection.world_to_view[15] = 1;
+    std::copy(pose.eye.begin(), pose.eye.end(), projection.eye);
+}
 
 Projection frame_scene(const Scene& scene, const View& view)
 {

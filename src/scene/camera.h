@@ -4,6 +4,8 @@
 #include <sheer/render.h>
 #include <sheer/scene.h>
 
+#include "scene/framing.h"
+
 namespace sheer {
 
 // A world point p goes to the view point q = world_to_view p, which looks along -z. Then
@@ -18,6 +20,9 @@ struct Projection {
     double znear = 0;    // > 0 under a perspective camera
     double zfar = 0;
 };
+
+// Fills in world_to_view and eye.
+void set_pose(Projection& projection, const Pose& pose);
 
 // The camera of a view: its own eye and target, else the one of the scene that it names (or
 // numbers), else the scene's first, else one that frames all objects. Throws Error with

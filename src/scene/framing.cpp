@@ -147,13 +147,17 @@ bool orthonormalize(const std::array<Vec3, 3>& right_up_back, Pose& pose)
     return true;
 }
 
-std::vector<Vec3> corner_points(const Scene& scene)
+std::vector<Vec3> corner_points(const Scene& scene, CornersOf which)
 {
+    const auto is_wanted = [&](const Mesh& mesh) {
+        return which == CornersOf::all || scene.materials[mesh.material].shading != Shading::unlit;
+    };
     std::vector<Box> boxes;
     for (const Mesh& mesh : scene.meshes) boxes.push_back(bounds_of(mesh));
     std::vector<Vec3> points;
     for (const Object& object : scene.objects) {
         if (object.mesh >= boxes.size() || boxes[object.mesh].empty()) continue;
+        if (!is_wanted(scene.meshes[object.mesh])) continue;
         for (unsigned i = 0; i < 8; ++i) {
             const Vec3 p = transform(object.transform, boxes[object.mesh].corner(i));
             if (finite(p)) points.push_back(p);

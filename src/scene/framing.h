@@ -21,8 +21,10 @@ Pose look_along(const Vec3& eye, const Vec3& back);
 // Gram and Schmidt, from back to right; false when the axes don't span space. Leaves the eye.
 bool orthonormalize(const std::array<Vec3, 3>& right_up_back, Pose& pose);
 
+enum class CornersOf { all, lit };  // lit: without objects whose material is unlit
+
 // The corners of each object's bounds, in world space.
-std::vector<Vec3> corner_points(const Scene& scene);
+std::vector<Vec3> corner_points(const Scene& scene, CornersOf which = CornersOf::all);
 
 struct HalfTangents {
     double x, y;  // of the view's half angles

@@ -30,6 +30,9 @@ struct TriangleDetail {
     // axes. From the eye floats would not do: lights may be much nearer.
     Float3 edge1, edge2;
     const Float3* light_places;
+    // Where there are shadows: of each light's map, and for rays.
+    const ShadowReceiver* receivers;
+    RayOrigin rays_from;
     Varying<2> texcoords[2];
     Varying<3> tangent;
     float bitangent_side;
@@ -202,10 +205,18 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
         return plain_fragment<L>(real(light.gain) * base.color, base.opacity);
     }
     const Vector<L> place = p.w1 * Vector<L>::of(detail.edge1) + p.w2 * Vector<L>::of(detail.edge2);
-    LitPoint<L> point{place,      detail.light_places,
-                      p.to_eye,   surface_normal<L>(surface, triangle, detail, p),
-                      base.color, Vector<L>::all(0.04f),
-                      real(1.0f)};
+    LitPoint<L> point{place,
+                      detail.light_places,
+                      p.to_eye,
+                      surface_normal<L>(surface, triangle, detail, p),
+                      base.color,
+                      Vector<L>::all(0.04f),
+                      real(1.0f),
+                      p.w1,
+                      p.w2,
+                      p.lanes,
+                      detail.receivers,
+                      &detail.rays_from};
     const Vector<L> emitted = emission<L>(material, detail, p);
     if (material.shading == Shading::diffuse) {
         return plain_fragment<L>(diffuse_radiance<L>(light, point) + emitted, base.opacity);

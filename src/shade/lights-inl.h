@@ -6,6 +6,8 @@
 #define SHEER_LIGHTS_INL_H
 #endif
 
+#include "shade/light_rays-inl.h"
+#include "shade/shadow_lookup-inl.h"
 #include "shade/surface.h"
 #include "shade/vectors-inl.h"
 
@@ -25,6 +27,11 @@ struct LitPoint {
     // Metallic-roughness alone.
     Vector<L> at_front;  // F0: reflected of what comes at right angles
     typename L::real roughness;
+    // For shadows: the weights of vertices 1 and 2, and how many lanes hold a point.
+    typename L::real w1, w2;
+    int lanes;
+    const ShadowReceiver* receivers;  // of each light, the sun first
+    const RayOrigin* rays_from;
 };
 
 template <class L>
@@ -62,15 +69,35 @@ HWY_INLINE Vector<L> sky_over(const Lighting& light, const Vector<L>& normal)
     return Vector<L>::of(light.sky_mean) + normal.y * Vector<L>::of(light.sky_slope);
 }
 
+// What reaches a point of a light, number `number` of those with shadows.
+template <class L>
+HWY_NOINLINE Incident<L> shadowed(const LightShadow& shadow, std::size_t number,
+                                  const LitPoint<L>& p, const Incident<L>& in)
+{
+    using real = typename L::real;
+    // Away from the light it is dark anyway.
+    if (!(dot(p.normal, in.from) > real(0.0f)).any()) return in;
+    if (shadow.rays) {
+        return {in.from,
+                light_through<L>(*shadow.rays, *p.rays_from, p.place, p.lanes) * in.irradiance};
+    }
+    if (!shadow.map) return in;
+    return {in.from,
+            visible_part<L>(*shadow.map, p.receivers[number], p.w1, p.w2, p.lanes) * in.irradiance};
+}
+
 // Calls `add` for the sun and for each light.
 template <class L, class Add>
 HWY_INLINE void for_each_light(const Lighting& light, const LitPoint<L>& p, Add&& add)
 {
     using real = typename L::real;
-    add(Incident<L>{Vector<L>::of(light.to_light),
-                    real(kPi * light.gain) * Vector<L>::of(light.sun)});
+    const auto add_shadowed = [&](std::size_t number, const Incident<L>& in) HWY_ATTR {
+        add(light.shadows == nullptr ? in : shadowed<L>((*light.shadows)[number], number, p, in));
+    };
+    add_shadowed(0, Incident<L>{Vector<L>::of(light.to_light),
+                                real(kPi * light.gain) * Vector<L>::of(light.sun)});
     for (std::size_t i = 0; i < light.lights.size(); ++i) {
-        add(incident_light<L>(light.lights[i], p.light_places[i], p.place));
+        add_shadowed(i + 1, incident_light<L>(light.lights[i], p.light_places[i], p.place));
     }
 }
 

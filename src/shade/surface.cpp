@@ -9,6 +9,7 @@
 #include "scene/transparency.h"
 #include "support/math.h"
 #include "support/parallel.h"
+#include "support/vec3.h"
 
 namespace sheer {
 
@@ -28,13 +29,13 @@ Float3 times(const Float3& color, float factor)
     return {color[0] * factor, color[1] * factor, color[2] * factor};
 }
 
-bool needs_detail(const Scene& scene, const Material& m)
+bool needs_detail(const Scene& scene, const Material& m, Shadowed shadowed)
 {
     if (m.shading == Shading::unlit) return m.base_color_texture.has_value();
     const bool textured = std::any_of(kMaterialTextures.begin(), kMaterialTextures.end(),
                                       [&](const auto texture) { return (m.*texture).has_value(); });
     return textured || m.shading == Shading::metallic_roughness || m.emission != Float3{0, 0, 0} ||
-           !scene.lights.empty();
+           !scene.lights.empty() || shadowed == Shadowed::yes;
 }
 
 TexelUse base_color_use(const Material& m)
@@ -121,15 +122,30 @@ MaterialDetail make_detail(const Material& m, float gain, TextureMaker& textures
 }
 
 // Of the materials that are used.
-void prepare_details(const Scene& scene, float gain, TextureMaker& textures, FrameSurfaces& result)
+void prepare_details(const Scene& scene, float gain, Shadowed shadowed, TextureMaker& textures,
+                     FrameSurfaces& result)
 {
     std::vector<bool> used(scene.materials.size());
     for (const Object& object : scene.objects) used[scene.meshes[object.mesh].material] = true;
     result.details.resize(scene.materials.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Material& m = scene.materials[i];
-        if (used[i] && needs_detail(scene, m)) result.details[i] = make_detail(m, gain, textures);
+        if (used[i] && needs_detail(scene, m, shadowed)) {
+            result.details[i] = make_detail(m, gain, textures);
+        }
     }
+}
+
+// As geometry/ribbons.cpp widens them.
+float half_width(const Mesh& mesh, const Object& object)
+{
+    double scale = 0;  // squared, the largest along an axis
+    for (std::size_t c = 0; c < 3; ++c) {
+        const Mat4& m = object.transform;
+        const Vec3d axis = to_vec3d({m[4 * c], m[4 * c + 1], m[4 * c + 2]});
+        scale = std::max(scale, dot(axis, axis));
+    }
+    return static_cast<float>(0.5 * static_cast<double>(mesh.width) * std::sqrt(scale));
 }
 
 Surface make_surface(const Scene& scene, const Object& object, float gain,
@@ -148,9 +164,11 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
                     object.id};
     surface.transparent = is_transparent(m, object);
     surface.object_opacity = object.opacity;
+    surface.material = mesh.material;
     surface.detail = detail ? &*detail : nullptr;
     surface.may_vanish = surface.has_vertex_colors || m.alpha_mode == AlphaMode::mask ||
                          is_glass(m) || m.base_color_texture.has_value();
+    if (mesh.topology != Topology::triangles) surface.half_width = half_width(mesh, object);
     return surface;
 }
 
@@ -171,7 +189,7 @@ PreparedLight prepare_light(const Light& light, float gain, const Eye& eye)
 
 Lighting make_lighting(const Scene& scene, float gain, const Eye& eye)
 {
-    Lighting light{scene.sun.to_light, scene.sun.color, {}, {}, gain, {}};
+    Lighting light{scene.sun.to_light, scene.sun.color, {}, {}, gain, {}, nullptr};
     for (std::size_t c = 0; c < 3; ++c) {
         light.sky_mean[c] = 0.5f * (scene.sky.up[c] + scene.sky.down[c]);
         light.sky_slope[c] = 0.5f * (scene.sky.up[c] - scene.sky.down[c]);
@@ -182,13 +200,14 @@ Lighting make_lighting(const Scene& scene, float gain, const Eye& eye)
 
 }  // namespace
 
-FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads)
+FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads,
+                            Shadowed shadowed)
 {
     const float gain = two_to_the(exposure);
     FrameSurfaces result;
     result.light = make_lighting(scene, gain, eye);
     TextureMaker textures(scene, result);
-    prepare_details(scene, gain, textures, result);
+    prepare_details(scene, gain, shadowed, textures, result);
     textures.make_all(threads);
     result.surfaces.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
@@ -201,11 +220,53 @@ FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, 
     return result;
 }
 
+namespace {
+
+// What of a material decides how much of the light passes through.
+MaterialDetail passing_part(const MaterialDetail& seen)
+{
+    MaterialDetail detail = seen;
+    detail.normal = detail.emission_map = std::nullopt;
+    detail.emission = {0, 0, 0};
+    if (detail.transmission > 0) return detail;
+    detail.metallic_roughness = std::nullopt;
+    detail.shading = Shading::unlit;
+    return detail;
+}
+
+}  // namespace
+
+FrameSurfaces make_casters(const FrameSurfaces& seen)
+{
+    FrameSurfaces casters;
+    casters.details.resize(seen.details.size());
+    for (std::size_t i = 0; i < seen.details.size(); ++i) {
+        if (seen.details[i]) casters.details[i] = passing_part(*seen.details[i]);
+    }
+    for (Surface surface : seen.surfaces) {
+        if (surface.shading == Shading::unlit) {
+            surface.transparent = true;
+            surface.object_opacity = 0;  // of which nothing is drawn
+        }
+        if (surface.detail != nullptr) {
+            const auto number = surface.material;
+            const MaterialDetail& detail = *casters.details[number];
+            surface.detail = detail.base_color || detail.transmission > 0 ? &detail : nullptr;
+        }
+        if (surface.detail == nullptr) surface.shading = Shading::unlit;
+        casters.any_opaque = casters.any_opaque || !surface.transparent;
+        casters.any_colored =
+            casters.any_colored || (surface.detail != nullptr && surface.detail->transmission > 0);
+        casters.surfaces.push_back(surface);
+    }
+    return casters;
+}
+
 std::uint64_t texture_bytes(const Scene& scene, int threads)
 {
     FrameSurfaces none;
     TextureMaker textures(scene, none);
-    prepare_details(scene, 1, textures, none);
+    prepare_details(scene, 1, Shadowed::no, textures, none);
     return textures.bytes(threads);
 }
 

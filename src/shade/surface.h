@@ -10,6 +10,7 @@
 
 #include "geometry/triangles.h"
 #include "shade/mip_chain.h"
+#include "shade/shadow_map.h"
 
 namespace sheer {
 
@@ -42,7 +43,11 @@ struct Surface {
     bool transparent = false;
     bool may_vanish = false;  // some of its fragments may have no opacity
     float object_opacity = 1;
+    std::uint32_t material = 0;              // index into FrameSurfaces::details
     const MaterialDetail* detail = nullptr;  // null: `color` and `opacity` are all
+    // Of lines and points, whose triangles face the eye: metres; 0 where they are as wide as some
+    // pixels. Negative for triangles.
+    float half_width = -1;
 };
 
 // Transparent, and not so much that nothing is left. What passes a mask counts as opaque.
@@ -66,8 +71,9 @@ struct PreparedLight {
 // sky_mean + sky_slope n_y + sun max(0, n . to_light)
 struct Lighting {
     Float3 to_light, sun, sky_mean, sky_slope;
-    float gain = 1;                     // 2^exposure
-    std::vector<PreparedLight> lights;  // the sun is not one of them
+    float gain = 1;                         // 2^exposure
+    std::vector<PreparedLight> lights;      // the sun is not one of them
+    const LightShadows* shadows = nullptr;  // null: nothing casts a shadow
 };
 
 // A scene's materials and light for one frame; points into itself.
@@ -85,9 +91,17 @@ struct FrameSurfaces {
     FrameSurfaces& operator=(FrameSurfaces&&) = default;
 };
 
-FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads);
+enum class Shadowed { no, yes };
+
+// `shadowed`: light.shadows will be set.
+FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads,
+                            Shadowed shadowed = Shadowed::no);
 
 // Of textures, at most: while make_surfaces runs on as many threads.
 std::uint64_t texture_bytes(const Scene& scene, int threads);
+
+// The same surfaces as light meets them: of each no more than what passes through it, and nothing
+// of unlit ones. Points into `seen`.
+FrameSurfaces make_casters(const FrameSurfaces& seen);
 
 }  // namespace sheer

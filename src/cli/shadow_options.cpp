@@ -1,0 +1,93 @@
+// --shadows and what belongs to it.
+#include "cli/shadow_options.h"
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/values.h"
+#include "cli/view_options.h"
+#include "support/text.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr std::array<std::pair<const char*, ShadowKind>, 3> kKinds = {
+    {{"none", ShadowKind::none},
+     {"stochastic", ShadowKind::stochastic},
+     {"exact", ShadowKind::exact}}};
+
+constexpr std::array<std::pair<const char*, ShadowMasks>, 2> kMasks = {
+    {{"naive", ShadowMasks::naive}, {"stratified", ShadowMasks::stratified}}};
+
+constexpr std::array<std::pair<const char*, Footprint>, 2> kFootprints = {
+    {{"fixed", Footprint::fixed}, {"random", Footprint::random}}};
+
+constexpr std::array<std::pair<const char*, bool>, 2> kSwitch = {{{"on", true}, {"off", false}}};
+
+void set_parameter(const std::string& option, const std::string& name, const std::string& value,
+                   Shadows& shadows)
+{
+    const std::string label = option + ": " + name;
+    if (name == "masks") {
+        shadows.masks = parse_choice(label, value, kMasks);
+    } else if (name == "correction") {
+        shadows.correction = parse_choice(label, value, kSwitch);
+    } else if (name == "footprint") {
+        shadows.footprint = parse_choice(label, value, kFootprints);
+    } else if (name == "colored") {
+        shadows.colored = parse_choice(label, value, kSwitch);
+    } else {
+        throw Error(Fault::input, option + ": there is no parameter '" + name +
+                                      "'; there are masks, correction, footprint, colored");
+    }
+}
+
+// KIND[:NAME=VALUE]...
+void parse_shadows(const std::string& option, const std::string& text, Shadows& shadows)
+{
+    const std::vector<std::string> parts = split(text, ':');
+    shadows.kind = parse_choice(option, parts[0], kKinds);
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+        const std::size_t equals = parts[i].find('=');
+        if (shadows.kind != ShadowKind::stochastic || equals == std::string::npos) {
+            throw Error(Fault::input, option + ": '" + text +
+                                          "' is not none, stochastic[:NAME=VALUE]... or exact");
+        }
+        set_parameter(option, parts[i].substr(0, equals), parts[i].substr(equals + 1), shadows);
+    }
+}
+
+}  // namespace
+
+void add_shadow_options(CLI::App& command, Shadows& shadows)
+{
+    const std::string group = "Shadows";
+    add_value(command, "--shadows", "KIND",
+              "none, stochastic[:NAME=VALUE]... or exact, which is slow\n"
+              "(none); of stochastic: masks=naive|stratified, correction=\n"
+              "on|off, footprint=fixed|random, colored=on|off\n"
+              "(stratified, off, fixed, off)",
+              [&shadows](auto& option, auto& text) { parse_shadows(option, text, shadows); })
+        ->group(group);
+    add_value(command, "--shadow-size", "N", "Texels across each light's map, 16 to 8192 (1024)",
+              [&shadows](auto& option, auto& text) {
+                  shadows.size = parse_whole(option, text, 16, 8192);
+              })
+        ->group(group);
+    add_value(command, "--shadow-samples", "N", "Samples a texel: 1, 2, 4, 8, 16, 32 or 64 (16)",
+              [&shadows](auto& option, auto& text) {
+                  shadows.samples = parse_whole(option, text, 1, 64);
+              })
+        ->group(group);
+    add_value(
+        command, "--shadow-filter", "N",
+        "Texels across what is averaged around a point, 1 to 8:\n"
+        "wider is smoother and softer (1)",
+        [&shadows](auto& option, auto& text) { shadows.filter = parse_whole(option, text, 1, 8); })
+        ->group(group);
+}
+
+}  // namespace sheer
