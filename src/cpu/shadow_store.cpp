@@ -21,7 +21,7 @@ template <class L>
 struct ShadowMaskText {
 #include "lanes/text_words.h"
 #include "sheer/random.glsl"
-#include "sheer/stochastic.glsl"
+#include "sheer/stochastic_masks.glsl"
 };
 
 // Of sixteen fragments, with what they cover.
@@ -29,6 +29,15 @@ struct MaskBlock {
     alignas(64) std::uint32_t low[16], high[16];
     alignas(64) float opacity[16];
 };
+
+template <int Samples>
+HWY_INLINE auto random_mask(ShadowMasks masks, Lanes<16>::whole seed, Lanes<16>::real opacity)
+{
+    using Text = ShadowMaskText<Lanes<16>>;
+    if (masks == ShadowMasks::naive) return Text::naive_mask(seed, opacity, Samples);
+    const auto xi = Text::next_random_real(seed);
+    return Text::stratified_mask(seed, xi, opacity, Samples);
+}
 
 // What a layer sees of fragments i, i + 1, ...: their mean opacity, or a channel's.
 HWY_INLINE Lanes<16>::real opacity_of(const FragmentStream& f, std::size_t layer, std::size_t i,
@@ -58,9 +67,7 @@ HWY_INLINE void make_masks(const ShadowTile& tile, const FragmentStream& f, std:
         const whole seed = Text::fragment_seed(x, y, identity);
         const auto opacity = opacity_of(f, layer, i + b, colored);
         opacity.store(masks.opacity + b);
-        const auto bits = tile.masks == ShadowMasks::stratified
-                              ? Text::stratified_mask(seed, opacity, Samples)
-                              : Text::naive_mask(seed, opacity, Samples);
+        const auto bits = random_mask<Samples>(tile.masks, seed, opacity);
         (bits.low & whole::load(f.samples.data() + i + b)).store(masks.low + b);
         (bits.high & whole::load(f.samples_high.data() + i + b)).store(masks.high + b);
     }

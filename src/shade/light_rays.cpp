@@ -133,7 +133,7 @@ RayStart ray_start(const Eye& eye, const RayOrigin& origin, const std::array<flo
     }
     const double pixel =
         2 / (eye.scale_y * eye.height) * (eye.orthographic ? 1 : std::sqrt(squared));
-    start.least = 0.25 * pixel + origin.width;
+    start.least = pixel / 32 + origin.width;
     return start;
 }
 

@@ -32,9 +32,8 @@ struct RayOrigin {
     double width;  // metres: of a ribbon or square that faces the eye; else 0
 };
 
-// `place`: relative to the corner. Places on the screen are rounded to parts of a pixel: what is
-// nearer than a quarter of a pixel's width counts as the surface itself, and so does what a ribbon
-// is as another that faces the light.
+// `place`: relative to the corner. Vertices on the screen are rounded to 1/256 pixel: what is
+// nearer than 1/32 counts as the surface itself, and so does a ribbon as the light sees it.
 RayStart ray_start(const Eye& eye, const RayOrigin& origin, const std::array<float, 3>& place);
 
 // The triangles that cast shadows of some lights.

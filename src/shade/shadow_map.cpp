@@ -58,6 +58,28 @@ std::array<double, 2> depth_slope(const MapSpace& space, const Corner (&corners)
     return {determinant(depth, y, w) / area, determinant(x, depth, w) / area};
 }
 
+// Of the ribbon that the light would see instead of the eye's: it runs with the line, which is the
+// longest edge's way, and is level across it.
+std::array<double, 2> ribbon_slope(const MapSpace& space, const Corner (&corners)[3])
+{
+    Corner on_map[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Corner& c = corners[i];
+        on_map[i] = space.orthographic ? c : Corner{c[0] / c[2], c[1] / c[2], -1 / c[2]};
+    }
+    std::array<double, 2> slope = {0, 0};
+    double longest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Corner &from = on_map[i], &to = on_map[(i + 1) % 3];
+        const double x = to[0] - from[0], y = to[1] - from[1], depth = to[2] - from[2];
+        const double squared = x * x + y * y;
+        if (!(squared > longest)) continue;
+        longest = squared;
+        slope = {x * depth / squared, y * depth / squared};
+    }
+    return slope;
+}
+
 }  // namespace
 
 TexelRow::TexelRow(int texels, const SampleSet& set)
@@ -140,7 +162,7 @@ ShadowReceiver make_receiver(const ShadowMap& map, const std::array<double, 3> (
         space.orthographic ? space.texel : space.texel / std::max(std::abs(middle), 1e-9);
     const double most = kSteepest * width;
     const bool faces = half_width >= 0;
-    const auto slope = faces ? std::array<double, 2>{0, 0} : depth_slope(space, corners);
+    const auto slope = faces ? ribbon_slope(space, corners) : depth_slope(space, corners);
     const double a = std::clamp(slope[0], -most, most), b = std::clamp(slope[1], -most, most);
     r.depth_x = static_cast<float>(a);
     r.depth_y = static_cast<float>(b);
