@@ -193,8 +193,10 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     FrameSurfaces surfaces =
         prepare_surfaces(scene, view, projection, geometry.eye, geometry_threads, takes);
     geometry_time.stop();
-    const FrameShadows shadows = prepare_shadows(
-        {scene, view.shadows, geometry, surfaces, targets, wanted, options.seed}, options);
+    const FrameShadows shadows =
+        prepare_shadows({scene, view.shadows, geometry, surfaces, targets, wanted,
+                         frame_key(options.seed, request.shadow_frame)},
+                        options);
     surfaces.light.shadows = shadows.drawn();
 
     FrameJob job{takes,
@@ -252,15 +254,56 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     return result;
 }
 
-Frame render_frame(const Scene& scene, const View& view, const Options& options)
+namespace {
+
+Frame draw_frames(const Scene& scene, const View& view, const Options& options, int first,
+                  int count)
 {
-    Take take{choose_method(options.method), {}};
-    if (take.method.row->random) take.frames = options.accumulate;
-    for (int i = 0; i < take.frames; ++i) take.keys.push_back(frame_key(options.seed, i));
-    FrameTakes result = render_takes(scene, view, options, {{&take, 1}});
-    if (options.memory_limit != 0) release_free_memory();
+    Take take{choose_method(options.method), {}, count};
+    for (int i = 0; i < count; ++i) take.keys.push_back(frame_key(options.seed, first + i));
+    FrameTakes result =
+        render_takes(scene, view, options, {.takes = {&take, 1}, .shadow_frame = first});
     TakeFrame& frame = result.frames.front();
     return {std::move(frame.image), std::move(frame.stats), std::move(result.channels)};
+}
+
+// Fragments are shaded once for all frames, so frames with random shadows of their own are drawn
+// one by one.
+Frame draw_one_by_one(const Scene& scene, const View& view, const Options& options)
+{
+    Frame all;
+    TileMean<4> mean;
+    for (int i = 0; i < options.accumulate; ++i) {
+        Options one = options;
+        one.channels = options.channels && i == 0;
+        one.progress = [&, i](double part) {
+            if (options.progress) options.progress((i + part) / options.accumulate);
+        };
+        Frame frame = draw_frames(scene, view, one, i, 1);
+        mean.add(frame.image.pixels);
+        if (i == 0) {
+            all = std::move(frame);
+        } else {
+            add_times(frame.stats, all.stats);
+        }
+    }
+    for (std::size_t i = 0; i < mean.size(); ++i) {
+        for (std::size_t c = 0; c < 4; ++c) all.image.pixels[i][c] = mean.mean(i, c);
+    }
+    return all;
+}
+
+}  // namespace
+
+Frame render_frame(const Scene& scene, const View& view, const Options& options)
+{
+    const bool random_shadows = view.shadows.kind == ShadowKind::stochastic;
+    const bool random = choose_method(options.method).row->random;
+    Frame frame = random_shadows
+                      ? draw_one_by_one(scene, view, options)
+                      : draw_frames(scene, view, options, 0, random ? options.accumulate : 1);
+    if (options.memory_limit != 0) release_free_memory();
+    return frame;
 }
 
 }  // namespace sheer

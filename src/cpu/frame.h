@@ -38,6 +38,7 @@ struct TakesRequest {
     std::span<const Take> takes;
     SubpixelShift shift = {};           // of all samples
     std::uint64_t reserved_memory = 0;  // of options.memory_limit: what the caller needs besides
+    int shadow_frame = 0;               // of the options' seed, whose random shadows they all have
 };
 
 // The pictures of the takes; options.method and accumulate are not looked at, and the seed is only

@@ -37,9 +37,23 @@ void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats
 
 }  // namespace
 
+void add_times(const Stats& one, Stats& sum)
+{
+    sum.ms_geometry += one.ms_geometry;
+    sum.ms_raster_shade += one.ms_raster_shade;
+    sum.ms_store += one.ms_store;
+    sum.ms_resolve += one.ms_resolve;
+    sum.ms_total += one.ms_total;
+    for (std::size_t i = 0; i < sum.ms_passes.size(); ++i) {
+        sum.ms_passes[i].ms += one.ms_passes[i].ms;
+    }
+    sum.peak_memory_bytes = one.peak_memory_bytes;
+}
+
 Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number, Stats common)
 {
     const ChosenMethod& method = job.takes[number].method;
+    const std::vector<PassTime> common_passes = common.ms_passes;
     Stats stats = std::move(common);
     stats.method = method.row->id;
     stats.parameters = method.parameters_text();
@@ -49,6 +63,7 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
     if (job.takes.size() > 1) {
         stats.ms_total =
             stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
+        for (const PassTime& shared : common_passes) stats.ms_total += shared.ms;
     }
     const double pixels = static_cast<double>(stats.width) * stats.height;
     stats.bytes_per_pixel = method.traits().bytes_per_pixel(

@@ -111,9 +111,9 @@ using LightViews = std::vector<std::optional<Projection>>;
 LightShadows draw_maps(const ShadowPass& pass, const LightViews& views)
 {
     const FrameSurfaces casters = make_casters(pass.surfaces);
-    // Not the sequence of the frames' keys, so that masks of the eye and of a light have nothing in
-    // common.
-    const CounterRandom keys{~pass.seed};
+    // Another sequence than the frames' keys, so that masks of the eye and of lights have nothing
+    // in common.
+    const CounterRandom keys{~static_cast<std::uint64_t>(pass.key)};
     LightShadows shadows(views.size());
     for (std::size_t i = 0; i < views.size(); ++i) {
         const auto key = static_cast<std::uint32_t>(keys.bits(i) >> 32);

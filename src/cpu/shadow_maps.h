@@ -20,7 +20,7 @@ struct ShadowPass {
     const FrameSurfaces& surfaces;
     TargetSet targets;
     int threads;
-    std::uint64_t seed;
+    std::uint32_t key;  // of the frame's random numbers
 };
 
 struct FrameShadows {
