@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 #include <sheer/sheer.h>
 
@@ -12,6 +14,7 @@
 #include "shade/light_rays.h"
 #include "shadows/sheets.h"
 #include "support/random.h"
+#include "support/vec3.h"
 
 namespace sheer {
 
@@ -26,23 +29,34 @@ Vec3 from_floor(const Scene& scene, Vec3 from, Vec3 to_light = {0, 1, 0})
     return reference::light_along(scene, textures, {from, to_light});
 }
 
-// Points in the scene's bounds and ways to a light; a triangle's own points are not among them.
-std::vector<LightWay> random_ways(const Scene& scene, int count)
+// Each goes through the middle of a triangle that is lit, some way behind where it begins.
+std::vector<LightWay> random_ways(const Scene& scene, std::uint64_t count)
 {
-    const std::vector<sheer::Vec3> corners = corner_points(scene, CornersOf::lit);
+    std::vector<std::size_t> lit;
+    for (std::size_t o = 0; o < scene.objects.size(); ++o) {
+        const Mesh& mesh = scene.meshes[scene.objects[o].mesh];
+        if (scene.materials[mesh.material].shading != Shading::unlit) lit.push_back(o);
+    }
     const CounterRandom random{17};
     std::vector<LightWay> ways;
-    for (int i = 0; i < count; ++i) {
+    for (std::uint64_t i = 0; i < count; ++i) {
+        const auto choose = [&](std::uint64_t k, std::size_t among) {
+            return static_cast<std::size_t>(random.bits(8 * i + k) % among);
+        };
+        const Object& object = scene.objects[lit[choose(0, lit.size())]];
+        const Mesh& mesh = scene.meshes[object.mesh];
+        const std::size_t triangle = 3 * choose(1, mesh.indices.size() / 3);
         LightWay way;
-        for (std::size_t k = 0; k < 3; ++k) {
-            const auto [low, high] =
-                std::minmax_element(corners.begin(), corners.end(),
-                                    [k](const auto& a, const auto& b) { return a[k] < b[k]; });
-            const auto counter = 8 * static_cast<std::uint64_t>(i) + k;
-            way.from[k] = (*low)[k] + random.uniform(counter) * ((*high)[k] - (*low)[k]);
-            way.to_light[k] = random.uniform(counter + 3) - 0.5;
-        }
+        for (std::size_t k = 0; k < 3; ++k) way.to_light[k] = random.uniform(8 * i + 2 + k) - 0.5;
         way.to_light = reference::normalized(way.to_light);
+        Vec3d middle;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Float3& p = mesh.positions[mesh.indices[triangle + k]];
+            middle = middle + (1.0 / 3) * turned(object.transform, to_vec3d(p));
+        }
+        const Mat4& m = object.transform;
+        way.from = {middle.x + m[12], middle.y + m[13], middle.z + m[14]};
+        way.from = way.from - random.uniform(8 * i + 5) * way.to_light;
         ways.push_back(way);
     }
     return ways;
@@ -66,7 +80,8 @@ double worst_difference(const Scene& scene, const std::vector<LightWay>& ways)
         }
         shadowed += expected != Vec3{1, 1, 1};
     }
-    EXPECT_GT(shadowed, 50);  // else nothing was compared
+    // Fronts and what is double sided: more than a third.
+    EXPECT_GT(shadowed, static_cast<int>(ways.size() / 3));
     return worst;
 }
 
@@ -94,10 +109,7 @@ TEST(ReferenceShadow, EndsAndOwnTrianglesDoNotCount)
     way.least = 0;
     way.own_object = 2;
     way.own_triangle = 0;
-    const double first = reference::light_along(scene, textures, way)[0];
-    way.own_triangle = 1;
-    const double second = reference::light_along(scene, textures, way)[0];
-    EXPECT_NEAR(first + second, 1.5, 1e-12);  // one of the two triangles is in the way
+    EXPECT_NEAR(reference::light_along(scene, textures, way)[0], 1, 1e-12);
 }
 
 // Seen from behind, a surface that is not double sided is not there, for light as for the eye.
@@ -132,7 +144,7 @@ TEST(ExactShadows, AgreeWithTheReference)
     for (const char* source : {"builtin:motor", "builtin:cloth", "builtin:burning-house",
                                SHEER_SOURCE_DIR "/scenes/tea_table.glb"}) {
         const Scene scene = load(source);
-        EXPECT_LT(worst_difference(scene, random_ways(scene, 200)), 1e-4) << source;
+        EXPECT_LT(worst_difference(scene, random_ways(scene, 100)), 1e-4) << source;
     }
 }
 
@@ -140,7 +152,7 @@ TEST(ExactShadows, AgreeWithTheReference)
 TEST(ExactShadows, APlantedFaultIsSeen)
 {
     Scene scene = load("builtin:motor");
-    const std::vector<LightWay> ways = random_ways(scene, 100);
+    const std::vector<LightWay> ways = random_ways(scene, 40);
     const reference::Textures textures(scene);
     std::vector<Vec3> before;
     for (const LightWay& way : ways) {

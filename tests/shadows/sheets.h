@@ -2,27 +2,42 @@
 // reaches the floor is known.
 #pragma once
 
-#include <string>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include <sheer/sheer.h>
 
 namespace sheer::test {
 
-// A square of the given half width at a height, its normal up.
-inline void add_square(Scene& scene, float half, float height, const Material& material)
+// Its normal up, with an object and a material of its own.
+inline void add_mesh(Scene& scene, Mesh mesh, const Material& material)
 {
     const auto number = static_cast<std::uint32_t>(scene.meshes.size());
+    mesh.material = static_cast<std::uint32_t>(scene.materials.size());
+    scene.materials.push_back(material);
+    scene.meshes.push_back(std::move(mesh));
+    Object object;
+    object.mesh = object.id = number;
+    scene.objects.push_back(object);
+}
+
+inline void add_square(Scene& scene, float half, float height, const Material& material)
+{
     Mesh mesh;
     mesh.positions = {
         {-half, height, -half}, {-half, height, half}, {half, height, half}, {half, height, -half}};
     mesh.indices = {0, 1, 2, 0, 2, 3};
-    mesh.material = static_cast<std::uint32_t>(scene.materials.size());
-    scene.materials.push_back(material);
-    scene.meshes.push_back(mesh);
-    Object object;
-    object.mesh = object.id = number;
-    scene.objects.push_back(object);
+    add_mesh(scene, mesh, material);
+}
+
+// Over a square and more: an edge inside would divide texels between the masks of two triangles.
+inline void add_triangle_over(Scene& scene, float half, float height, const Material& material)
+{
+    Mesh mesh;
+    mesh.positions = {{-half, height, -half}, {-half, height, 3 * half}, {3 * half, height, -half}};
+    mesh.indices = {0, 1, 2};
+    add_mesh(scene, mesh, material);
 }
 
 inline Material sheet_of(float opacity)
@@ -43,8 +58,8 @@ inline Scene sheets_over_floor(const std::vector<float>& opacities)
     Scene scene;
     add_square(scene, 4, 0, Material{});
     for (std::size_t i = 0; i < opacities.size(); ++i) {
-        add_square(scene, 4, kSheetHeight * static_cast<float>(opacities.size() - i),
-                   sheet_of(opacities[i]));
+        add_triangle_over(scene, 4, kSheetHeight * static_cast<float>(opacities.size() - i),
+                          sheet_of(opacities[i]));
     }
     scene.sun.to_light = {0, 1, 0};
     scene.sun.color = {1, 1, 1};
