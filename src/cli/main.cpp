@@ -58,13 +58,15 @@ void add_commands(CLI::App& tool)
     add_bench_command(tool);
     add_compare_command(tool);
     add_diff_command(tool);
+    add_reproduce_command(tool);
     tool.footer("'sheer COMMAND --help' says more about a command.\n\n" +
                 examples_help({"sheer render builtin:windy-hill -o hill.png",
                                "sheer render scene.glb -o scene.exr --method blend --samples 4",
                                "sheer info scene.glb", "sheer methods",
                                "sheer bench builtin:motor --size 500x500 --samples 1,8",
                                "sheer compare scene.glb -o out",
-                               "sheer diff blend.exr exact.exr -o error.png"}) +
+                               "sheer diff blend.exr exact.exr -o error.png",
+                               "sheer reproduce stochastic-examples -o out"}) +
                 "\n" + methods_help() + "\n" + scenes_help());
 }
 

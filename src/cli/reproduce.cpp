@@ -1,0 +1,103 @@
+// sheer reproduce: the papers' tables and figures.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <sheer/error.h>
+
+#include "cli/commands.h"
+#include "cli/folder.h"
+#include "cli/help_text.h"
+#include "cli/output.h"
+#include "cli/values.h"
+#include "cli/view_options.h"
+#include "compare/reproduce/reproduce.h"
+#include "support/progress.h"
+#include "support/whole_file.h"
+
+namespace sheer {
+
+namespace {
+
+struct ReproduceRequest {
+    std::vector<std::string> names;
+    ReproduceJob job;
+};
+
+std::string list_text()
+{
+    TextTable table{.left = 2, .last_is_prose = true, .rows = {}};
+    for (const ReproduceEntry& entry : reproduce_entries()) {
+        table.rows.push_back({entry.name, entry.shows});
+    }
+    return table.text();
+}
+
+std::vector<const ReproduceEntry*> chosen_entries(const std::vector<std::string>& names)
+{
+    std::vector<const ReproduceEntry*> chosen;
+    for (const std::string& name : names) {
+        if (name != "all") {
+            chosen.push_back(&find_reproduce_entry(name));
+            continue;
+        }
+        for (const ReproduceEntry& entry : reproduce_entries()) chosen.push_back(&entry);
+    }
+    return chosen;
+}
+
+void run_reproduce(ReproduceRequest request)
+{
+    if (request.names == std::vector<std::string>{"list"}) {
+        print(list_text());
+        return;
+    }
+    const auto entries = chosen_entries(request.names);
+    if (request.job.folder.empty()) throw Error(Fault::input, "--output is required");
+    make_folder(request.job.folder);
+    for (const ReproduceEntry* entry : entries) {
+        for (const char* suffix : {".md", ".json"}) {
+            check_writable(request.job.folder + "/" + entry->name + suffix);
+        }
+    }
+    for (const ReproduceEntry* entry : entries) {
+        {
+            ProgressBar bar(entry->name);
+            request.job.progress = [&bar](double part) { bar.update(part); };
+            entry->run(*entry, request.job);
+        }
+        print(one_line(request.job.folder + "/" + entry->name) + ".md\n");
+    }
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& tool)
+{
+    CLI::App* command =
+        tool.add_subcommand("reproduce", "Make the papers' tables and figures, ours beside theirs");
+    const auto request = std::make_shared<ReproduceRequest>();
+    command
+        ->add_option("NAME", request->names,
+                     "What to make: names, 'all', or 'list' to see what there is")
+        ->required();
+    add_value(*command, "-o,--output", "DIR", "A folder for the results, made if missing",
+              [request](auto&, auto& text) { request->job.folder = text; });
+    add_value(*command, "--threads", "N", "0: all that the machine has (0)",
+              [request](auto& option, auto& text) {
+                  request->job.options.threads = parse_whole(option, text, 0, 4096);
+              });
+    command
+        ->add_flag("--quick", request->job.quick,
+                   "Smaller pictures and fewer trials: seconds instead of minutes")
+        ->disable_flag_override();
+    command->footer(
+        "For each name DIR gets NAME.md to read, NAME.json with all digits, and "
+        "pictures.\n\nTables and figures:\n" +
+        list_text() + "\n" +
+        examples_help({"sheer reproduce list", "sheer reproduce stochastic-examples -o out",
+                       "sheer reproduce all -o out --quick"}));
+    command->callback([request] { run_reproduce(*request); });
+}
+
+}  // namespace sheer

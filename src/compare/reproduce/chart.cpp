@@ -1,0 +1,130 @@
+// Points to pixels by the logarithm to base 2 across and to base 10 up.
+#include "compare/reproduce/chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "support/math.h"
+#include "support/text.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr double kWidth = 640, kHeight = 420;
+constexpr double kLeft = 70, kRight = 230, kTop = 40, kBottom = 50;
+
+// Told apart by people who see few colours: M. Okabe, K. Ito, "Color universal design", 2002.
+constexpr const char* kColors[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
+                                   "#CC79A7", "#E69F00", "#56B4E9"};
+
+double log10_of(double x)
+{
+    return own_log(x) / own_log(10);
+}
+
+struct Frame {
+    double least_x = 1e300, most_x = -1e300, least_y = 1e300, most_y = -1e300;  // logarithms
+
+    void take(double x, double y)
+    {
+        least_x = std::min(least_x, own_log2(x));
+        most_x = std::max(most_x, own_log2(x));
+        least_y = std::min(least_y, std::floor(log10_of(y)));
+        most_y = std::max(most_y, std::ceil(log10_of(y)));
+    }
+    double across(double log2_x) const
+    {
+        return kLeft +
+               (log2_x - least_x) / std::max(1.0, most_x - least_x) * (kWidth - kLeft - kRight);
+    }
+    double down(double log10_y) const
+    {
+        return kTop +
+               (most_y - log10_y) / std::max(1.0, most_y - least_y) * (kHeight - kTop - kBottom);
+    }
+};
+
+std::string text_at(double x, double y, const std::string& text, const std::string& more = "")
+{
+    return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\"" + more + ">" + text +
+           "</text>\n";
+}
+
+std::string line_between(double x0, double y0, double x1, double y1)
+{
+    return "<line x1=\"" + fixed(x0, 1) + "\" y1=\"" + fixed(y0, 1) + "\" x2=\"" + fixed(x1, 1) +
+           "\" y2=\"" + fixed(y1, 1) + "\" stroke=\"#ccc\"/>\n";
+}
+
+std::string axes(const Frame& frame)
+{
+    std::string svg;
+    for (double x = frame.least_x; x <= frame.most_x; ++x) {
+        svg += line_between(frame.across(x), kTop, frame.across(x), kHeight - kBottom);
+        svg += text_at(frame.across(x), kHeight - kBottom + 18, fixed(std::ldexp(1, int(x)), 0),
+                       " text-anchor=\"middle\"");
+    }
+    for (double y = frame.least_y; y <= frame.most_y; ++y) {
+        svg += line_between(kLeft, frame.down(y), kWidth - kRight, frame.down(y));
+        svg += text_at(kLeft - 8, frame.down(y) + 4, "1e" + fixed(y, 0), " text-anchor=\"end\"");
+    }
+    return svg + text_at((kLeft + kWidth - kRight) / 2, kHeight - 10, "samples a pixel",
+                         " text-anchor=\"middle\"");
+}
+
+bool is_drawn(double x, double y)
+{
+    return x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y);
+}
+
+}  // namespace
+
+std::string log_log_chart(const std::string& title, const std::vector<Series>& series)
+{
+    Frame frame;
+    for (const Series& s : series) {
+        for (std::size_t i = 0; i < s.x.size(); ++i) {
+            if (is_drawn(s.x[i], s.y[i])) frame.take(s.x[i], s.y[i]);
+        }
+    }
+    std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + fixed(kWidth, 0) +
+                      "\" height=\"" + fixed(kHeight, 0) +
+                      "\" font-family=\"sans-serif\" font-size=\"12\">\n"
+                      "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+    svg += text_at(kLeft, 24, title, " font-size=\"14\"") + axes(frame);
+    for (std::size_t k = 0; k < series.size(); ++k) {
+        const std::string color = kColors[k % std::size(kColors)];
+        std::string points;
+        for (std::size_t i = 0; i < series[k].x.size(); ++i) {
+            if (!is_drawn(series[k].x[i], series[k].y[i])) continue;
+            points += fixed(frame.across(own_log2(series[k].x[i])), 1) + "," +
+                      fixed(frame.down(log10_of(series[k].y[i])), 1) + " ";
+        }
+        if (points.empty()) continue;
+        svg += "<polyline fill=\"none\" stroke-width=\"2\" stroke=\"" + color + "\" points=\"" +
+               points + "\"/>\n";
+        svg += text_at(kWidth - kRight + 12, kTop + 14 + 20 * static_cast<double>(k),
+                       series[k].title, " fill=\"" + color + "\"");
+    }
+    return svg + "</svg>\n";
+}
+
+double log_log_slope(const Series& series)
+{
+    double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+        if (!is_drawn(series.x[i], series.y[i])) continue;
+        const double x = own_log(series.x[i]), y = own_log(series.y[i]);
+        n += 1;
+        sum_x += x;
+        sum_y += y;
+        sum_xx += x * x;
+        sum_xy += x * y;
+    }
+    if (n < 2) return std::numeric_limits<double>::quiet_NaN();
+    return (n * sum_xy - sum_x * sum_y) / (n * sum_xx - sum_x * sum_x);
+}
+
+}  // namespace sheer

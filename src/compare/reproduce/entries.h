@@ -1,0 +1,18 @@
+// One function for each entry of the table in reproduce.cpp, each in a file of its own name.
+#pragma once
+
+#include "compare/reproduce/reproduce.h"
+
+namespace sheer {
+
+using Reproduce = void(const ReproduceEntry&, const ReproduceJob&);
+
+Reproduce reproduce_stochastic_examples;
+Reproduce reproduce_stochastic_bias;
+Reproduce reproduce_stochastic_visibility;
+Reproduce reproduce_stochastic_figure_1;
+Reproduce reproduce_stochastic_figure_2;
+Reproduce reproduce_stochastic_figure_4;
+Reproduce reproduce_stochastic_seeding;
+
+}  // namespace sheer

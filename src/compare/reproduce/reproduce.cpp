@@ -1,0 +1,54 @@
+// The table of entries.
+#include "compare/reproduce/reproduce.h"
+
+#include <algorithm>
+
+#include <sheer/error.h>
+
+#include "compare/reproduce/entries.h"
+
+namespace sheer {
+
+namespace {
+
+constexpr const char* kStochastic =
+    "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. IEEE TVCG 17(8), 2011";
+
+constexpr ReproduceEntry kEntries[] = {
+    {"stochastic-examples", kStochastic,
+     "sections 3.1 to 3.4 and 4.1: errors of the worked examples, by every estimator",
+     reproduce_stochastic_examples},
+    {"stochastic-bias", kStochastic,
+     "section 4: bias and error of every estimator for 4 to 64 samples", reproduce_stochastic_bias},
+    {"stochastic-figure-1", kStochastic, "figure 1: hair, cards, cloth and models in one scene",
+     reproduce_stochastic_figure_1},
+    {"stochastic-figure-2", kStochastic, "figure 2: the motor with 8, 16 and 64 samples",
+     reproduce_stochastic_figure_2},
+    {"stochastic-visibility", kStochastic,
+     "figure 3: visibility functions estimated with 8 to 1,024 samples",
+     reproduce_stochastic_visibility},
+    {"stochastic-figure-4", kStochastic, "figure 4: alpha correction and depth sampling, compared",
+     reproduce_stochastic_figure_4},
+    {"stochastic-seeding", kStochastic,
+     "section 6: what noise does in motion, and at edges inside of a surface",
+     reproduce_stochastic_seeding},
+};
+
+}  // namespace
+
+std::span<const ReproduceEntry> reproduce_entries()
+{
+    return kEntries;
+}
+
+const ReproduceEntry& find_reproduce_entry(const std::string& name)
+{
+    const auto* const found =
+        std::find_if(std::begin(kEntries), std::end(kEntries),
+                     [&](const ReproduceEntry& entry) { return entry.name == name; });
+    if (found != std::end(kEntries)) return *found;
+    throw Error(Fault::input, "there is no table or figure '" + name +
+                                  "'; 'sheer reproduce list' names all there are");
+}
+
+}  // namespace sheer
