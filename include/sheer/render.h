@@ -69,6 +69,29 @@ struct View {
 
 enum class Simd { best, scalar, sse4, avx2, avx512, neon };
 
+// Frames of a random method where they are needed most, after section 6 of Enderton et al.,
+// Stochastic Transparency. A few frames measure the variance around each pixel and are thrown away;
+// those that count have random numbers of their own, so that choosing does not bias.
+struct AdaptiveFrames {
+    // Standard deviation of a pixel's channel, linear colour times 255: frames are added until it
+    // is not exceeded. 0: off.
+    float noise_target = 0;
+    // Frames a pixel on average, 6 to 100,000, shared out in proportion to the deviation. 0: off.
+    // Not both.
+    float budget = 0;
+    // Deviations count in proportion to what is dark: divided by luminance + 1/8.
+    bool relative = false;
+    int most = 1024;  // frames of a pixel, 1 to 65,535
+};
+
+// Smooths what is transparent, the part of the picture that has noise, across pixels of like total
+// alpha, which has none. For methods that keep total alpha.
+struct PostFilter {
+    bool cross_bilateral = false;
+    float sigma_s = 0.6f;   // pixels, 0.1 to 5
+    float sigma_r = 0.05f;  // of total alpha, 0.001 to 1
+};
+
 struct Options {
     std::string method = "exact";  // ID[:NAME=VALUE]...
     int threads = 0;               // 0: all that the machine has
@@ -77,6 +100,8 @@ struct Options {
     // Pictures to average, each with random numbers of its own, 1 to 1,000,000; for a method
     // without random numbers one is enough, and one is drawn.
     int accumulate = 1;
+    AdaptiveFrames adaptive;  // instead of `accumulate`
+    PostFilter post_filter;
     // What the whole process may take while it draws the picture, and then to write it to a file,
     // in bytes; 0: no limit. The picture is the same with and without. Renders at the same time
     // each count what the process takes when they begin, and not one another's growth.
@@ -104,7 +129,8 @@ struct Stats {
     std::uint64_t triangles = 0;  // submitted
     std::uint64_t fragments = 0;  // transparent, covered at one visible sample or more
     int passes = 1;
-    double bytes_per_pixel = 0;  // of the method's store
+    double frames_per_pixel = 1;  // averaged or thrown away
+    double bytes_per_pixel = 0;   // of the method's store
     std::uint64_t peak_memory_bytes = 0;
     double ms_geometry = 0;
     double ms_raster_shade = 0;
@@ -122,8 +148,9 @@ struct Channels {
     std::vector<float> fragments;         // in the pixel
     std::vector<float> depth_complexity;  // layers over a sample, mean over the pixel's samples
     std::vector<float> coverage;          // part of the samples with a layer or more, in [0, 1]
-    std::vector<float> depth;  // of the nearest, at the pixel's centre: metres from the eye along
-                               // the axis of view; infinity without one
+    std::vector<float> depth;   // of the nearest, at the pixel's centre: metres from the eye along
+                                // the axis of view; infinity without one
+    std::vector<float> frames;  // averaged in the pixel
 };
 
 struct Frame {

@@ -4,7 +4,8 @@
 // Each fragment takes a random part of its samples, in proportion to its opacity, and at each of
 // them the nearest fragment stays: unbiased, with an error that falls as samples grow.
 // Depth, id and colour for each sample.
-// Needs prelude.glsl; which samples a fragment takes is for stochastic_masks.glsl to say.
+// Which samples a fragment takes is for stochastic_masks.glsl to say.
+// Needs prelude.glsl.
 
 struct StochasticStore {
     real depth;   // of the nearest fragment; beyond any where there is none

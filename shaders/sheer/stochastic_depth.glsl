@@ -3,9 +3,11 @@
 //
 // Two passes over the fragments in any order. The first finds at each sample the depth that basic
 // stochastic transparency would show. The second adds up all fragments that are not behind it, each
-// with its own opacity, and the total alpha. U, the sums' filtered mean over the dimmed background,
-// is unbiased; D, corrected by total alpha (alpha_correction.glsl), is consistent and never
-// brighter than the fragments are. Exact for one layer. Needs prelude.glsl, alpha_correction.glsl.
+// with its own opacity, and the total alpha (alpha_correction.glsl). U, the sums' filtered mean
+// over the dimmed background, is unbiased; D, corrected by total alpha, is consistent and never
+// brighter than the fragments are. Exact for one layer.
+//
+// Needs prelude.glsl.
 
 struct StochasticDepthStore {
     real depth;   // of the nearest fragment that took the sample; beyond any where none did

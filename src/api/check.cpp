@@ -217,6 +217,33 @@ void check_shadows(const Shadows& shadows)
     }
 }
 
+// "0.1", "100000"
+std::string plain(float value)
+{
+    std::string text = std::to_string(value);
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+void check_part(const char* what, float value, float least, float most)
+{
+    if (value >= least && value <= most) return;
+    refuse(std::string(what) + ": it is not between " + plain(least) + " and " + plain(most));
+}
+
+void check_noise(const AdaptiveFrames& adaptive, const PostFilter& filter)
+{
+    check_part("noise-target", adaptive.noise_target, 0, 1e6f);
+    if (adaptive.budget != 0) check_part("frame-budget", adaptive.budget, 6, 100'000);
+    if (adaptive.noise_target > 0 && adaptive.budget > 0) {
+        refuse("noise-target and frame-budget: only one of them says how many frames there are");
+    }
+    check_whole("most-frames", adaptive.most, 1, 65'535);
+    check_part("post-filter: sigma-s", filter.sigma_s, 0.1f, 5);
+    check_part("post-filter: sigma-r", filter.sigma_r, 0.001f, 1);
+}
+
 }  // namespace
 
 void check_view(const View& view, const Options& options)
@@ -233,6 +260,7 @@ void check_view(const View& view, const Options& options)
     }
     if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
     check_shadows(view.shadows);
+    check_noise(options.adaptive, options.post_filter);
     if (options.threads < 0 || options.threads > 4096) {
         refuse("threads: " + std::to_string(options.threads) + " is not between 0 and 4096");
     }

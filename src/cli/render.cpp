@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/help_text.h"
+#include "cli/noise_options.h"
 #include "cli/scene_options.h"
 #include "cli/stats_json.h"
 #include "cli/values.h"
@@ -109,10 +110,7 @@ void add_own_options(CLI::App& command, RenderRequest& request)
                   request.given.view.samples = parse_whole(option, text, 1, 64);
               });
     add_seed(command, options);
-    add_value(command, "--accumulate", "N", "Average N pictures of a random method (1)",
-              [&options](auto& option, auto& text) {
-                  options.accumulate = parse_whole(option, text, 1, 1'000'000);
-              });
+    add_noise_options(command, options);
     add_value(command, "--backend", "cpu", "Where it runs (cpu)", [](auto& option, auto& text) {
         parse_choice(option, text, std::array<std::pair<const char*, int>, 1>{{{"cpu", 0}}});
     });
@@ -120,7 +118,7 @@ void add_own_options(CLI::App& command, RenderRequest& request)
               [&request](auto&, auto& text) { request.stats = text; });
     add_value(command, "--channels", "FILE",
               "Fragments, depth complexity, coverage and depth of the\n"
-              "transparent surfaces, .exr",
+              "transparent surfaces, frames averaged, .exr",
               [&request](auto&, auto& text) { request.channels = text; });
     command.add_flag("--json", request.json, "Print those instead of a line of text")
         ->disable_flag_override();

@@ -37,6 +37,7 @@ Json stats_json(const Stats& stats)
     return {{"method", stats.method},
             {"parameters", parameters_json(stats.parameters)},
             {"samples", stats.samples},
+            {"frames_per_pixel", stats.frames_per_pixel},
             {"width", stats.width},
             {"height", stats.height},
             {"backend", stats.backend},

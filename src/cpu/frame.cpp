@@ -63,14 +63,68 @@ void write_tile(const PixelRect& interior, Image& image, Value&& value)
     }
 }
 
-void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Worker& worker,
-               TakeFrame& frame)
+// Pixels that have frames left after `drawn` of them: of the picture's interior, and of the tile as
+// far as the filter reaches around those.
+struct Unfinished {
+    std::vector<char> interior, tile;
+    bool any = false;
+};
+
+void find_unfinished(const FrameJob& job, const Take& take, const PixelRect& rect,
+                     const PixelRect& interior, std::size_t drawn, Unfinished& left)
 {
-    const Take& take = job.takes[number];
+    left.interior.clear();
+    left.tile.assign(kTilePixels, 0);
+    left.any = false;
+    const int reach = job.filter.reach();
+    for (int y = interior.y0; y < interior.y1; ++y) {
+        for (int x = interior.x0; x < interior.x1; ++x) {
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(job.grid.width) +
+                static_cast<std::size_t>(x);
+            const bool more = take.frames_of_pixels[at] > drawn;
+            left.interior.push_back(more ? 1 : 0);
+            if (!more) continue;
+            left.any = true;
+            for (int ny = std::max(y - reach, rect.y0); ny < std::min(y + reach + 1, rect.y1); ++ny)
+                for (int nx = std::max(x - reach, rect.x0); nx < std::min(x + reach + 1, rect.x1);
+                     ++nx)
+                    left.tile[static_cast<std::size_t>((ny - rect.y0) * kTileSize + nx - rect.x0)] =
+                        1;
+        }
+    }
+}
+
+// One picture whose pixels have as many frames as each needs. What the tile kept is forgotten.
+void draw_unevenly(const FrameJob& job, const Take& take, TileSetting& setting, Worker& worker,
+                   TileStore& store)
+{
     const PixelRect interior = job.grid.interior(setting.job.tile);
-    TileStore& store = worker.stores[number];
+    Unfinished left;
+    worker.picture.clear();
+    for (std::size_t i = 0; i < take.keys.size(); ++i) {
+        find_unfinished(job, take, setting.job.rect, interior, i, left);
+        if (!left.any) break;
+        if (i > 0) worker.passes.restrict_to(&left.tile);
+        setting.place.key = take.keys[i];
+        const std::uint64_t fragments = store.fragments;
+        worker.passes.draw(setting, store, worker.colors);
+        if (i > 0) store.fragments = fragments;  // those of all pixels count
+        store.resolving.start();
+        worker.picture.add(job.filter, worker.colors, store.divides, setting.job.rect, interior,
+                           &left.interior);
+        store.resolving.stop();
+    }
+    worker.passes.restrict_to(nullptr);
+    worker.passes.forget();
+    worker.mean.add(worker.picture.pixels());
+}
+
+void draw_evenly(const FrameJob& job, const Take& take, TileSetting& setting, Worker& worker,
+                 TileStore& store)
+{
+    const PixelRect interior = job.grid.interior(setting.job.tile);
     const auto frames = static_cast<std::size_t>(take.frames);
-    worker.mean.clear();
     for (std::size_t i = 0; i < take.keys.size(); ++i) {
         if (i % frames == 0) worker.picture.clear();
         setting.place.key = take.keys[i];
@@ -80,11 +134,26 @@ void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Wo
         if (i % frames == frames - 1) worker.mean.add(worker.picture.pixels());
         store.resolving.stop();
     }
+}
+
+void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Worker& worker,
+               TakeFrame& frame)
+{
+    const Take& take = job.takes[number];
+    const PixelRect interior = job.grid.interior(setting.job.tile);
+    worker.mean.clear();
+    (take.frames_of_pixels.empty() ? draw_evenly : draw_unevenly)(job, take, setting, worker,
+                                                                  worker.stores[number]);
     write_tile(interior, frame.image,
                [&](std::size_t p, std::size_t c) { return worker.mean.mean(p, c); });
-    if (!take.variance) return;
-    write_tile(interior, frame.variance,
-               [&](std::size_t p, std::size_t c) { return worker.mean.variance(p, c); });
+    if (take.variance) {
+        write_tile(interior, frame.variance,
+                   [&](std::size_t p, std::size_t c) { return worker.mean.variance(p, c); });
+    }
+    if (take.transparent) {
+        write_tile(interior, frame.transparent,
+                   [&](std::size_t p, std::size_t c) { return worker.picture.transparent(p)[c]; });
+    }
 }
 
 void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result)
@@ -152,13 +221,14 @@ void make_images(const FrameJob& job, bool channels, FrameTakes& result)
 {
     const int width = job.grid.width, height = job.grid.height;
     for (const Take& take : job.takes) {
-        result.frames.push_back({Image(width, height), {}, {}});
+        result.frames.push_back({Image(width, height), {}, {}, {}});
         if (take.variance) result.frames.back().variance = Image(width, height);
+        if (take.transparent) result.frames.back().transparent = Image(width, height);
     }
     if (!channels) return;
     const std::vector<float> none(static_cast<std::size_t>(width) *
                                   static_cast<std::size_t>(height));
-    result.channels = Channels{none, none, none, none};
+    result.channels = Channels{none, none, none, none, {}};
 }
 
 }  // namespace
@@ -252,58 +322,6 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
         result.frames[i].stats = make_stats(workers, job, i, common);
     }
     return result;
-}
-
-namespace {
-
-Frame draw_frames(const Scene& scene, const View& view, const Options& options, int first,
-                  int count)
-{
-    Take take{choose_method(options.method), {}, count};
-    for (int i = 0; i < count; ++i) take.keys.push_back(frame_key(options.seed, first + i));
-    FrameTakes result =
-        render_takes(scene, view, options, {.takes = {&take, 1}, .shadow_frame = first});
-    TakeFrame& frame = result.frames.front();
-    return {std::move(frame.image), std::move(frame.stats), std::move(result.channels)};
-}
-
-// Fragments are shaded once for all frames, so frames with random shadows of their own are drawn
-// one by one.
-Frame draw_one_by_one(const Scene& scene, const View& view, const Options& options)
-{
-    Frame all;
-    TileMean<4> mean;
-    for (int i = 0; i < options.accumulate; ++i) {
-        Options one = options;
-        one.channels = options.channels && i == 0;
-        one.progress = [&, i](double part) {
-            if (options.progress) options.progress((i + part) / options.accumulate);
-        };
-        Frame frame = draw_frames(scene, view, one, i, 1);
-        mean.add(frame.image.pixels);
-        if (i == 0) {
-            all = std::move(frame);
-        } else {
-            add_times(frame.stats, all.stats);
-        }
-    }
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-        for (std::size_t c = 0; c < 4; ++c) all.image.pixels[i][c] = mean.mean(i, c);
-    }
-    return all;
-}
-
-}  // namespace
-
-Frame render_frame(const Scene& scene, const View& view, const Options& options)
-{
-    const bool random_shadows = view.shadows.kind == ShadowKind::stochastic;
-    const bool random = choose_method(options.method).row->random;
-    Frame frame = random_shadows
-                      ? draw_one_by_one(scene, view, options)
-                      : draw_frames(scene, view, options, 0, random ? options.accumulate : 1);
-    if (options.memory_limit != 0) release_free_memory();
-    return frame;
 }
 
 }  // namespace sheer

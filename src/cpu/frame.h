@@ -17,11 +17,16 @@ struct Take {
     std::vector<std::uint32_t> keys;  // of random numbers: a frame each
     int frames = 1;                   // of one picture; the mean over all pictures is wanted
     bool variance = false;            // over the pictures is wanted as well
+    // Of one picture: how many of the keys each pixel's frames are, 1 at least; empty: all.
+    std::vector<std::uint16_t> frames_of_pixels = {};
+    bool transparent = false;  // TakeFrame::transparent is wanted; of one picture
 };
 
 struct TakeFrame {
     Image image;
     Image variance;  // of the pictures, divided by their number less 1; empty if not wanted
+    // Of a method that divides: what it adds to the dimmed background, and total alpha.
+    Image transparent;
     Stats stats;
 };
 

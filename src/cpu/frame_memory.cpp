@@ -98,7 +98,8 @@ MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::u
                       .threads = threads,
                       .reserved = reserved};
     for (const Take& take : job.takes) {
-        needs.pictures += take.variance ? 2 : 1;
+        // The post filter makes one of the transparent part, and needs that.
+        needs.pictures += (take.variance ? 2u : 1u) + (take.transparent ? 2u : 0u);
         if (!take.method.traits().bounded) ++needs.growing_stores;
     }
     return plan_memory(needs);

@@ -32,7 +32,7 @@ void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats
         stats.ms_store += ms;
         stats.ms_passes.push_back({names[i], ms});
     }
-    stats.fragments /= job.takes[take].keys.size();
+    if (job.takes[take].frames_of_pixels.empty()) stats.fragments /= job.takes[take].keys.size();
 }
 
 }  // namespace

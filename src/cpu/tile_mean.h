@@ -14,17 +14,22 @@ namespace sheer {
 template <int Channels>
 class TileMean {
 public:
-    void clear() { count_ = 0; }
+    void clear() { empty_ = true; }
 
-    void add(const PixelValues<Channels>& pixels)
+    // Of later pictures some pixels may be left out.
+    void add(const PixelValues<Channels>& pixels, const std::vector<char>* chosen = nullptr)
     {
-        if (count_++ == 0) {
+        if (empty_) {
+            empty_ = false;
             first_ = pixels;
+            counts_.assign(pixels.size(), 1);
             sums_.assign(pixels.size(), {});
             squares_.assign(pixels.size(), {});
             return;
         }
         for (std::size_t i = 0; i < pixels.size(); ++i) {
+            if (chosen != nullptr && (*chosen)[i] == 0) continue;
+            ++counts_[i];
             for (std::size_t c = 0; c < Channels; ++c) {
                 const double d = double{pixels[i][c]} - double{first_[i][c]};
                 sums_[i][c] += d;
@@ -36,18 +41,19 @@ public:
     std::size_t size() const { return first_.size(); }  // pixels
     float mean(std::size_t i, std::size_t c) const
     {
-        return static_cast<float>(double{first_[i][c]} + sums_[i][c] / count_);
+        return static_cast<float>(double{first_[i][c]} + sums_[i][c] / counts_[i]);
     }
     // Of one picture, divided by their number less 1; 0 of a single one.
     float variance(std::size_t i, std::size_t c) const
     {
-        if (count_ < 2) return 0.0f;
-        const double rest = squares_[i][c] - sums_[i][c] * sums_[i][c] / count_;
-        return static_cast<float>(std::max(rest, 0.0) / (count_ - 1));
+        if (counts_[i] < 2) return 0.0f;
+        const double rest = squares_[i][c] - sums_[i][c] * sums_[i][c] / counts_[i];
+        return static_cast<float>(std::max(rest, 0.0) / (counts_[i] - 1));
     }
 
 private:
-    int count_ = 0;
+    bool empty_ = true;
+    std::vector<int> counts_;
     PixelValues<Channels> first_;
     std::vector<std::array<double, static_cast<std::size_t>(Channels)>> sums_, squares_;
 };

@@ -36,6 +36,25 @@ void fill_backdrop(const OpaqueTile& opaque, const TileSetting& setting, const P
     }
 }
 
+// Leaves the fragments of the chosen pixels.
+void keep_pixels(FragmentStream& s, const std::vector<char>& chosen)
+{
+    std::uint32_t kept = 0;
+    int runs = 0;
+    for (int r = 0; r < s.run_count; ++r) {
+        FragmentRun run = s.runs[r];
+        const std::uint32_t first = kept;
+        for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
+            if (chosen[s.pixel[i]] != 0) s.move(kept++, i);
+        }
+        run.first = first;
+        run.count = kept - first;
+        if (run.count > 0) s.runs[runs++] = run;
+    }
+    s.run_count = runs;
+    s.size = static_cast<int>(kept);
+}
+
 std::pair<PixelRect, PixelRect> halves(const PixelRect& r)
 {
     const int width = r.x1 - r.x0, height = r.y1 - r.y0;
@@ -73,6 +92,12 @@ void TilePasses::keep(const TileSetting& setting)
     watch.stop();
 }
 
+void TilePasses::restrict_to(const std::vector<char>* chosen)
+{
+    chosen_ = chosen;
+    if (kept_ && chosen_ != nullptr) keep_pixels(stream_, *chosen_);
+}
+
 void TilePasses::draw(const TileSetting& setting, TileStore& store, SampleColors& colors)
 {
     draw_region(setting, setting.job.rect, store, colors);
@@ -99,6 +124,7 @@ bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileS
         job.region = region;
         store.raster_shade.start();
         const bool held = rasterise(job, [&](const FragmentStream& stream) {
+            if (chosen_ != nullptr) keep_pixels(stream_, *chosen_);
             store.raster_shade.stop();
             storing.start();
             const bool more = store.verbs->insert(store.store.get(), stream, pass);

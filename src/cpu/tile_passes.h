@@ -51,6 +51,10 @@ public:
     void keep(const TileSetting& setting);
     void forget() { kept_ = false; }
 
+    // From here on only fragments of some pixels, of kTilePixels, go to stores: those where
+    // `chosen` is not 0. Fewer each time; null: all, once what was kept is forgotten.
+    void restrict_to(const std::vector<char>* chosen);
+
     // One picture of the tile: `colors` are what the store makes of its fragments over what is
     // behind them. Throws Error(Fault::work) when the store can't hold one pixel's.
     void draw(const TileSetting& setting, TileStore& store, SampleColors& colors);
@@ -83,7 +87,8 @@ private:
     TileScratch scratch_;
     OpaqueTile opaque_;
     FragmentStream stream_;
-    bool kept_ = false;                 // stream_ and opaque_ are the whole tile's
+    bool kept_ = false;  // stream_ and opaque_ are the whole tile's
+    const std::vector<char>* chosen_ = nullptr;
     std::array<Stopwatch, 3> keeping_;  // by Submission
 };
 

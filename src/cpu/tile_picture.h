@@ -18,14 +18,15 @@ public:
     }
 
     void add(const SampleFilter& filter, const SampleColors& samples, bool divides,
-             const PixelRect& rect, const PixelRect& interior)
+             const PixelRect& rect, const PixelRect& interior,
+             const std::vector<char>* chosen = nullptr)
     {
         filter.apply<4>(samples, rect, interior, colors_of_frame_);
-        colors_.add(colors_of_frame_);
+        colors_.add(colors_of_frame_, chosen);
         divides_ = divides;
         if (!divides) return;
         filter.apply<5>(samples.fraction, rect, interior, fraction_of_frame_);
-        fraction_.add(fraction_of_frame_);
+        fraction_.add(fraction_of_frame_, chosen);
     }
 
     const PixelValues<4>& pixels()
@@ -33,9 +34,20 @@ public:
         pixels_.resize(colors_.size());
         for (std::size_t i = 0; i < colors_.size(); ++i) {
             for (std::size_t c = 0; c < 4; ++c) pixels_[i][c] = colors_.mean(i, c);
-            if (divides_) add_fraction(i);
+            if (!divides_) continue;
+            const Float4 added = transparent(i);
+            for (std::size_t c = 0; c < 3; ++c) pixels_[i][c] += added[c];
         }
         return pixels_;
+    }
+
+    // Of a method that divides: what is added to the dimmed background, and total alpha.
+    Float4 transparent(std::size_t i) const
+    {
+        const auto mean = [&](std::size_t c) { return fraction_.mean(i, c); };
+        const Text::real3 corrected =
+            Text::alpha_corrected({mean(0), mean(1), mean(2)}, mean(3), mean(4));
+        return {corrected.x, corrected.y, corrected.z, mean(4)};
     }
 
 private:
@@ -44,16 +56,6 @@ private:
 #include "lanes/text_words.h"
 #include "sheer/alpha_correction.glsl"
     };
-
-    void add_fraction(std::size_t i)
-    {
-        const auto mean = [&](std::size_t c) { return fraction_.mean(i, c); };
-        const Text::real3 corrected =
-            Text::alpha_corrected({mean(0), mean(1), mean(2)}, mean(3), mean(4));
-        pixels_[i][0] += corrected.x;
-        pixels_[i][1] += corrected.y;
-        pixels_[i][2] += corrected.z;
-    }
 
     bool divides_ = false;
     TileMean<4> colors_;

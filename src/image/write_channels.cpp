@@ -13,11 +13,12 @@ namespace sheer {
 
 void write_channels(const std::string& path, int width, int height, const Channels& channels)
 {
-    const std::array<ExrChannel, 4> all = {{
+    const std::array<ExrChannel, 5> all = {{
         {"fragments", channels.fragments.data(), 1},
         {"depth_complexity", channels.depth_complexity.data(), 1},
         {"coverage", channels.coverage.data(), 1},
         {"depth", channels.depth.data(), 1},
+        {"frames", channels.frames.data(), 1},
     }};
     write_whole_file(path, encode_exr(width, height, all));
 }

@@ -58,6 +58,20 @@ struct FragmentStream {
     }
 
     void clear() { size = run_count = 0; }
+    // A fragment to a place that is not after its own.
+    void move(std::size_t to, std::size_t from)
+    {
+        pixel[to] = pixel[from];
+        samples[to] = samples[from];
+        samples_high[to] = samples_high[from];
+        for (AlignedArray<float>* values : {&depth, &red, &green, &blue, &opacity}) {
+            (*values)[to] = (*values)[from];
+        }
+        if (!colored) return;
+        for (AlignedArray<float>* values : {&through_red, &through_green, &through_blue}) {
+            (*values)[to] = (*values)[from];
+        }
+    }
     std::uint64_t sample_bits(std::size_t i) const
     {
         return samples[i] | static_cast<std::uint64_t>(samples_high[i]) << 32;

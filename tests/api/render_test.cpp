@@ -64,8 +64,9 @@ TEST(Render, RefusesOptionsThatMakeNoSense)
     options.threads = -1;
     EXPECT_EQ(refusal(options), "threads: -1 is not between 0 and 4096");
     options = {};
-    options.method = "stochastic:masks=table";
-    EXPECT_EQ(refusal(options), "method: stochastic: masks is naive|stratified, not 'table'");
+    options.method = "stochastic:masks=tables";
+    EXPECT_EQ(refusal(options),
+              "method: stochastic: masks is naive|stratified|table, not 'tables'");
 }
 
 }  // namespace sheer

@@ -22,6 +22,8 @@ namespace {
 
 using reference::LightWay;
 using reference::Vec3;
+// Of an array, which no namespace is looked up for.
+using reference::operator-, reference::operator*;
 
 Vec3 from_floor(const Scene& scene, Vec3 from, Vec3 to_light = {0, 1, 0})
 {

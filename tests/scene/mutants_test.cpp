@@ -109,6 +109,7 @@ TEST(Mutants, ToolWithoutFaultPasses)
 }
 
 struct PlantedFault {
+    const char* name;
     const char* lines;
     const char* said;
 };
@@ -129,22 +130,25 @@ TEST_P(MutantsPlanted, IsFound)
 }
 
 constexpr PlantedFault kPlantedFaults[] = {
-    {"kill -SEGV $$", "ended by signal 11 (SIGSEGV)"},
-    {"while :; do :; done", "took too much of the processor's time"},
-    {"exec sleep 100", "does not end"},
-    {"exit 2", "exit code 2, 0 lines"},
-    {"printf 'sheer: one\\nsheer: two\\n' >&2; exit 2", "exit code 2, 2 lines"},
-    {"echo 'sheer: cut short' >&2; exit 3", "exit code 3, 1 lines"},
-    {"echo 'sheer: cut short' >&2; exit 0", "exit code 0, 1 lines"},
-    {"echo 'sheer: cut short' >&2; echo x > \"$4\"; exit 2",
+    {"Crash", "kill -SEGV $$", "ended by signal 11 (SIGSEGV)"},
+    {"BusyLoop", "while :; do :; done", "took too much of the processor's time"},
+    {"Sleep", "exec sleep 100", "does not end"},
+    {"NoMessage", "exit 2", "exit code 2, 0 lines"},
+    {"TwoMessages", "printf 'sheer: one\\nsheer: two\\n' >&2; exit 2", "exit code 2, 2 lines"},
+    {"ExitCodeThree", "echo 'sheer: cut short' >&2; exit 3", "exit code 3, 1 lines"},
+    {"DoneWithAMessage", "echo 'sheer: cut short' >&2; exit 0", "exit code 0, 1 lines"},
+    {"FileLeftBehind", "echo 'sheer: cut short' >&2; echo x > \"$4\"; exit 2",
      "exit code 2, 1 lines on standard error, files ['picture.png']"},
-    {"echo 'a.cpp:1:2: runtime error: overflow' >&2; exit 1", "exit code 1, 1 lines"},
-    {"printf 'sheer: \\033[31mred\\n' >&2; exit 2", "the message has unprintable letters"},
-    {"exit 0", "exit code 0, 0 lines on standard error, files []"},
-    {"head -c 100 \"$picture\" > \"$4\"; exit 0", "the picture is not whole"},
+    {"RuntimeError", "echo 'a.cpp:1:2: runtime error: overflow' >&2; exit 1",
+     "exit code 1, 1 lines"},
+    {"UnprintableMessage", "printf 'sheer: \\033[31mred\\n' >&2; exit 2",
+     "the message has unprintable letters"},
+    {"NoPicture", "exit 0", "exit code 0, 0 lines on standard error, files []"},
+    {"HalfAPicture", "head -c 100 \"$picture\" > \"$4\"; exit 0", "the picture is not whole"},
 };
 
-INSTANTIATE_TEST_SUITE_P(, MutantsPlanted, testing::ValuesIn(kPlantedFaults));
+INSTANTIATE_TEST_SUITE_P(, MutantsPlanted, testing::ValuesIn(kPlantedFaults),
+                         [](const auto& fault) { return std::string(fault.param.name); });
 
 TEST(Mutants, CommandShowsTheFaultAgain)
 {

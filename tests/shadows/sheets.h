@@ -80,4 +80,21 @@ inline View floor_view(const Shadows& shadows)
     return view;
 }
 
+inline Shadows stochastic_shadows(int samples, int filter)
+{
+    Shadows shadows;
+    shadows.kind = ShadowKind::stochastic;
+    shadows.size = 64;
+    shadows.samples = samples;
+    shadows.filter = filter;
+    return shadows;
+}
+
+inline Shadows exact_shadows()
+{
+    Shadows shadows;
+    shadows.kind = ShadowKind::exact;
+    return shadows;
+}
+
 }  // namespace sheer::test
