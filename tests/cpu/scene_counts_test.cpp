@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <fstream>
 #include <sstream>
 
 #include <sheer/sheer.h>
 
 #include "scene/builtin.h"
+#include "scene/transparency.h"
 
 namespace sheer {
 
@@ -59,6 +62,36 @@ std::string depth_complexity(const Scene& scene)
     return percentile(50) + " / " + percentile(99) + " / " + percentile(100);
 }
 
+std::string two_digits(double number)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "%.2g", number);
+    return text.data();
+}
+
+// Of what is transparent: material times object, and what that is multiplied by.
+std::string opacities(const Scene& scene)
+{
+    double least = 1, most = 0;
+    bool textured = false, by_vertex = false;
+    for (const Object& object : scene.objects) {
+        const Mesh& mesh = scene.meshes[object.mesh];
+        const Material& material = scene.materials[mesh.material];
+        if (!is_transparent(material, object)) continue;
+        const double opacity = double{material.opacity} * double{object.opacity};
+        least = std::min(least, opacity);
+        most = std::max(most, opacity);
+        textured |= material.base_color_texture.has_value();
+        by_vertex |= std::any_of(mesh.colors.begin(), mesh.colors.end(),
+                                 [](const Float4& color) { return color[3] != 1; });
+    }
+    std::string text = "opacities " + two_digits(least);
+    if (most > least) text += " to " + two_digits(most);
+    if (textured) text += ", times a texture's";
+    if (by_vertex) text += ", times a vertex's";
+    return text;
+}
+
 std::string docs()
 {
     std::ifstream file(SHEER_SOURCE_DIR "/docs/scenes.md");
@@ -79,9 +112,9 @@ TEST_P(SceneCounts, AreThoseOfTheDocs)
     const Scene scene = with_masks_blended(load("builtin:" + GetParam()));
     const std::string expected = "Counts at 500x500, 8 samples: " + fragments(scene) +
                                  " fragments; depth complexity (50th, 99th, 100th percentile) " +
-                                 depth_complexity(scene) + ".";
+                                 depth_complexity(scene) + ";\n" + opacities(scene) + ".\n";
     const std::size_t line = text.find("Counts at 500x500", section);
-    EXPECT_EQ(text.substr(line, text.find('\n', line) - line), expected);
+    EXPECT_EQ(text.substr(line, expected.size()), expected);
 }
 
 std::vector<std::string> scene_names()
