@@ -37,13 +37,13 @@ inline void set_light_places(const TileJob& job, const Triangle& t, TileScratch&
         }
     }
     if (light.shadows == nullptr) return;
-    result.rays_from = {p[0], t.primitive, 2 * std::max(0.0, double{surface.half_width})};
+    result.rays_from = {p[0], t.primitive, 2 * double{surface.facing.half_width}};
     const LightShadows& shadows = *light.shadows;
     scratch.receivers.resize(shadows.size());
     result.receivers = scratch.receivers.data();
     for (std::size_t i = 0; i < shadows.size(); ++i) {
         if (!shadows[i].map) continue;
-        scratch.receivers[i] = make_receiver(*shadows[i].map, p, surface.half_width);
+        scratch.receivers[i] = make_receiver(*shadows[i].map, p, surface.facing);
     }
 }
 

@@ -145,7 +145,7 @@ ShadowMap::ShadowMap(const Projection& light, const Shadows& shadows, int layer_
 }
 
 ShadowReceiver make_receiver(const ShadowMap& map, const std::array<double, 3> (&places)[3],
-                             float half_width)
+                             const FacingShape& shape)
 {
     const MapSpace& space = map.space;
     const Corner corners[3] = {corner_of(space, places[0]), corner_of(space, places[1]),
@@ -161,16 +161,18 @@ ShadowReceiver make_receiver(const ShadowMap& map, const std::array<double, 3> (
     const double width =
         space.orthographic ? space.texel : space.texel / std::max(std::abs(middle), 1e-9);
     const double most = kSteepest * width;
-    const bool faces = half_width >= 0;
-    const auto slope = faces ? ribbon_slope(space, corners) : depth_slope(space, corners);
+    const bool faces = shape.kind != FacingShape::none;
+    std::array<double, 2> slope = {0, 0};
+    if (shape.kind == FacingShape::ribbon) slope = ribbon_slope(space, corners);
+    if (!faces) slope = depth_slope(space, corners);
     const double a = std::clamp(slope[0], -most, most), b = std::clamp(slope[1], -most, most);
     r.depth_x = static_cast<float>(a);
     r.depth_y = static_cast<float>(b);
     const double snapped = kSnapping * (std::abs(a) + std::abs(b));
-    const double ribbon = faces ? static_cast<double>(half_width) : 0.0;
+    const double ribbon = static_cast<double>(shape.half_width);
     // Without a width of its own it is as wide as so many texels.
     const double texels =
-        kSlackTexels + (half_width == 0 ? 0.5 * static_cast<double>(kDefaultLineWidth) : 0.0);
+        kSlackTexels + (faces && ribbon == 0 ? 0.5 * static_cast<double>(kDefaultLineWidth) : 0.0);
     const double rounding = kRounding * std::abs(middle);
     if (space.orthographic) {
         const double metres = texels * space.texel + ribbon + snapped + rounding;

@@ -89,9 +89,14 @@ struct ShadowReceiver {
     Float3 slack;
 };
 
-// `places`: of the triangle's corners, relative to the map's eye. `half_width`:
-// Surface::half_width.
+// What faces the eye, but casts the shadow of one that faces the light.
+struct FacingShape {
+    enum Kind { none, ribbon, square } kind = none;
+    float half_width = 0;  // metres; 0 where it is as wide as some pixels
+};
+
+// `places`: of the triangle's corners, relative to the map's eye.
 ShadowReceiver make_receiver(const ShadowMap& map, const std::array<double, 3> (&places)[3],
-                             float half_width);
+                             const FacingShape& shape);
 
 }  // namespace sheer

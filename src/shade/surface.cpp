@@ -137,7 +137,7 @@ void prepare_details(const Scene& scene, float gain, Shadowed shadowed, TextureM
 }
 
 // As geometry/ribbons.cpp widens them.
-float half_width(const Mesh& mesh, const Object& object)
+FacingShape facing_shape(const Mesh& mesh, const Object& object)
 {
     double scale = 0;  // squared, the largest along an axis
     for (std::size_t c = 0; c < 3; ++c) {
@@ -145,7 +145,9 @@ float half_width(const Mesh& mesh, const Object& object)
         const Vec3d axis = to_vec3d({m[4 * c], m[4 * c + 1], m[4 * c + 2]});
         scale = std::max(scale, dot(axis, axis));
     }
-    return static_cast<float>(0.5 * static_cast<double>(mesh.width) * std::sqrt(scale));
+    const double half_width = 0.5 * static_cast<double>(mesh.width) * std::sqrt(scale);
+    return {mesh.topology == Topology::lines ? FacingShape::ribbon : FacingShape::square,
+            static_cast<float>(half_width)};
 }
 
 Surface make_surface(const Scene& scene, const Object& object, float gain,
@@ -168,7 +170,7 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
     surface.detail = detail ? &*detail : nullptr;
     surface.may_vanish = surface.has_vertex_colors || m.alpha_mode == AlphaMode::mask ||
                          is_glass(m) || m.base_color_texture.has_value();
-    if (mesh.topology != Topology::triangles) surface.half_width = half_width(mesh, object);
+    if (mesh.topology != Topology::triangles) surface.facing = facing_shape(mesh, object);
     return surface;
 }
 

@@ -45,9 +45,7 @@ struct Surface {
     float object_opacity = 1;
     std::uint32_t material = 0;              // index into FrameSurfaces::details
     const MaterialDetail* detail = nullptr;  // null: `color` and `opacity` are all
-    // Of lines and points, whose triangles face the eye: metres; 0 where they are as wide as some
-    // pixels. Negative for triangles.
-    float half_width = -1;
+    FacingShape facing = {};                 // of lines and points
 };
 
 // Transparent, and not so much that nothing is left. What passes a mask counts as opaque.

@@ -58,7 +58,8 @@ std::vector<LightWay> random_ways(const Scene& scene, std::uint64_t count)
         }
         const Mat4& m = object.transform;
         way.from = {middle.x + m[12], middle.y + m[13], middle.z + m[14]};
-        way.from = way.from - random.uniform(8 * i + 5) * way.to_light;
+        const double reach = random.uniform(8 * i + 5);  // metres
+        for (std::size_t k = 0; k < 3; ++k) way.from[k] -= reach * way.to_light[k];
         ways.push_back(way);
     }
     return ways;
