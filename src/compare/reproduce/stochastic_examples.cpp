@@ -107,10 +107,6 @@ struct Example {
     std::vector<const char*> channels;  // red, green and blue, or one name for all
 };
 
-struct Means {
-    std::array<const char*, 3> paper = {"", "", ""};
-};
-
 class Trying {
 public:
     Trying(const ReproduceJob& job, std::size_t pictures)
@@ -126,7 +122,7 @@ public:
         Options options = job_.options;
         options.seed = static_cast<std::uint64_t>(done_);
         const Trials trials = render_trials(estimation, {stack, samples, side_}, options);
-        if (job_.progress) job_.progress(++done_ / pictures_);
+        job_.progress(++done_ / pictures_);
         return trials;
     }
 
@@ -146,9 +142,70 @@ Cell z_cell(const std::optional<Test>& test)
     return signed_number(test ? test->z : kNone, 2);
 }
 
-double rms(double variance, double bias)
+// What is known of a row.
+struct Outcome {
+    const Row& row;
+    std::array<double, 3> truth;
+    ExactMoments exact;
+    std::optional<ExactMoments> contiguous;
+    std::optional<Trials> trials;
+};
+
+Outcome find_outcome(const Row& row, const Stack& stack, Trying& try_it)
 {
-    return std::sqrt(variance + bias * bias);
+    Outcome outcome{row, stack.truth(), exact_moments(row.estimation, stack, row.samples), {}, {}};
+    if (row.estimation.masks == Masks::stratified) {
+        outcome.contiguous = estimate_by_listing(row.estimation.estimator, stack.pixel(row.samples),
+                                                 reference::contiguous_chance);
+    }
+    if (row.estimation.method != nullptr) {
+        outcome.trials = try_it(row.estimation, stack, row.samples);
+    }
+    return outcome;
+}
+
+std::vector<Cell> error_row(const Outcome& outcome, const char* channel, std::size_t c)
+{
+    const reference::Moments& exact = outcome.exact[c];
+    const double truth = outcome.truth[c];
+    double rms = kNone, deviation = kNone;
+    std::optional<Test> test;
+    if (const auto& trials = outcome.trials) {
+        const double off = trials->mean[c] - truth;
+        rms = std::sqrt(trials->variance[c] + off * off);
+        deviation = std::sqrt(trials->variance[c]);
+        test = test_deviation(deviation, exact, trials->count);
+    }
+    const char* paper = outcome.row.paper[c];
+    return {words(outcome.row.estimation.title),
+            words(channel),
+            printed(paper != nullptr ? paper : ""),
+            number(rms_error(exact, truth), 6),
+            number(outcome.contiguous ? rms_error((*outcome.contiguous)[c], truth) : kNone, 4),
+            number(rms, 6),
+            number(std::sqrt(exact.variance), 6),
+            number(deviation, 6),
+            error_cell(test, 6),
+            z_cell(test),
+            words(c == 0 ? outcome.row.verdict : "")};
+}
+
+std::vector<Cell> mean_row(const Outcome& outcome, const char* channel, std::size_t c)
+{
+    const reference::Moments& exact = outcome.exact[c];
+    double mean = kNone;
+    std::optional<Test> test;
+    if (const auto& trials = outcome.trials) {
+        mean = trials->mean[c];
+        test = test_mean(mean, exact.mean, exact.variance, trials->count);
+    }
+    return {words(outcome.row.estimation.title),
+            words(channel),
+            number(outcome.truth[c], 6),
+            number(exact.mean, 6),
+            number(mean, 6),
+            error_cell(test, 6),
+            z_cell(test)};
 }
 
 void add_example(Page& page, const Example& example, Trying& try_it)
@@ -161,41 +218,11 @@ void add_example(Page& page, const Example& example, Trying& try_it)
     Table means{std::string(example.title) + ": means",
                 {"estimator", "channel", "truth", "exact", "measured", "standard error", "z"},
                 {}};
-    const std::array<double, 3> truth = example.stack.truth();
     for (const Row& row : example.rows) {
-        const ExactMoments exact = exact_moments(row.estimation, example.stack, row.samples);
-        std::optional<ExactMoments> contiguous;
-        if (row.estimation.masks == Masks::stratified) {
-            contiguous =
-                estimate_by_listing(row.estimation.estimator, example.stack.pixel(row.samples),
-                                    reference::contiguous_chance);
-        }
-        std::optional<Trials> trials;
-        if (row.estimation.method != nullptr) {
-            trials = try_it(row.estimation, example.stack, row.samples);
-        }
+        const Outcome outcome = find_outcome(row, example.stack, try_it);
         for (std::size_t c = 0; c < example.channels.size(); ++c) {
-            const double measured_mean = trials ? trials->mean[c] : kNone;
-            const double measured_variance = trials ? trials->variance[c] : kNone;
-            const double deviation = std::sqrt(measured_variance);
-            std::optional<Test> of_deviation, of_mean;
-            if (trials) {
-                of_deviation = test_deviation(deviation, exact[c], trials->count);
-                of_mean = test_mean(measured_mean, exact[c].mean, exact[c].variance, trials->count);
-            }
-            errors.rows.push_back(
-                {words(row.estimation.title), words(example.channels[c]),
-                 printed(row.paper[c] != nullptr ? row.paper[c] : ""),
-                 number(rms_error(exact[c], truth[c]), 6),
-                 number(contiguous ? rms_error((*contiguous)[c], truth[c]) : kNone, 4),
-                 number(rms(measured_variance, measured_mean - truth[c]), 6),
-                 number(std::sqrt(exact[c].variance), 6), number(deviation, 6),
-                 error_cell(of_deviation, 6), z_cell(of_deviation),
-                 words(c == 0 ? row.verdict : "")});
-            means.rows.push_back({words(row.estimation.title), words(example.channels[c]),
-                                  number(truth[c], 6), number(exact[c].mean, 6),
-                                  number(measured_mean, 6), error_cell(of_mean, 6),
-                                  z_cell(of_mean)});
+            errors.rows.push_back(error_row(outcome, example.channels[c], c));
+            means.rows.push_back(mean_row(outcome, example.channels[c], c));
         }
     }
     page.add(errors);

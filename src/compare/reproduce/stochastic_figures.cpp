@@ -1,6 +1,7 @@
 // The figures of E. Enderton et al., "Stochastic Transparency", 2011, that are pictures of scenes:
 // with built-in scenes of the same kind, and the errors that the paper leaves to the eye.
-#include <memory>
+#include <string>
+#include <vector>
 
 #include <sheer/sheer.h>
 
