@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -113,6 +114,11 @@ struct PlantedFault {
     const char* lines;
     const char* said;
 };
+
+void PrintTo(const PlantedFault& fault, std::ostream* out)
+{
+    *out << fault.name;
+}
 
 class MutantsPlanted : public testing::TestWithParam<PlantedFault> {};
 
