@@ -154,7 +154,7 @@ void store(benchmark::State& state, const MethodRow& row, bool with_resolve)
     SampleColors colors(samples);
     for (auto _ : state) {
         verbs.clear(kept.get(), {});
-        for (int pass = 0; pass < row.passes; ++pass) {
+        for (int pass = 0; pass < row.traits.passes; ++pass) {
             for (const FragmentStream& s : tile.streams()) verbs.insert(kept.get(), s, pass);
         }
         if (with_resolve) {
