@@ -143,18 +143,23 @@ void raster_and_shade(benchmark::State& state)
 }
 
 // Clears the method's store and inserts the tile's fragments; resolves it too if asked.
-void store(benchmark::State& state, const MethodRow& row, bool with_resolve)
+void store(benchmark::State& state, const std::string& name, bool with_resolve)
 {
     const FullestTile tile(static_cast<int>(state.range(0)));
     const int samples = tile.samples().count;
-    const ChosenMethod method = choose_method(row.id);
-    const StoreVerbs verbs = row.verbs(targets(), method, samples);
-    const std::shared_ptr<void> kept =
-        verbs.make({&tile.samples(), &method, {false, 0.1f, 100.0f}, kStreamFragments});
-    SampleColors colors(samples);
+    const ChosenMethod method = choose_method(name);
+    const MethodTraits traits = method.traits();
+    const StoreVerbs verbs = method.row->verbs(targets(), method, samples);
+    const std::shared_ptr<void> kept = verbs.make({&tile.samples(),
+                                                   &method,
+                                                   {false, 0.1f, 100.0f},
+                                                   kStreamFragments,
+                                                   ~std::size_t{0},
+                                                   false});
+    SampleColors colors(samples, traits.divides);
     for (auto _ : state) {
         verbs.clear(kept.get(), {});
-        for (int pass = 0; pass < row.traits.passes; ++pass) {
+        for (int pass = 0; pass < traits.passes; ++pass) {
             for (const FragmentStream& s : tile.streams()) verbs.insert(kept.get(), s, pass);
         }
         if (with_resolve) {
@@ -173,14 +178,17 @@ void register_all()
         b->ArgName("samples")->Arg(1)->Arg(4)->Arg(8)->Arg(16)->Unit(benchmark::kMicrosecond);
     };
     at_samples(benchmark::RegisterBenchmark("raster_and_shade", raster_and_shade));
+    std::vector<std::string> methods = {"stochastic:correction=on",
+                                        "stochastic:depth-based=on:correction=on"};
     for (const MethodRow& row : method_table()) {
-        if (row.bench_only) continue;
-        const std::string id = row.id;
+        if (!row.bench_only) methods.push_back(row.id);
+    }
+    for (const std::string& method : methods) {
         for (const bool with_resolve : {false, true}) {
-            const std::string name = id + (with_resolve ? "/insert_and_resolve" : "/insert");
+            const std::string name = method + (with_resolve ? "/insert_and_resolve" : "/insert");
             at_samples(benchmark::RegisterBenchmark(
                 name.c_str(),
-                [&row, with_resolve](benchmark::State& s) { store(s, row, with_resolve); }));
+                [method, with_resolve](benchmark::State& s) { store(s, method, with_resolve); }));
         }
     }
 }

@@ -9,54 +9,56 @@
 //
 // Needs prelude.glsl.
 
-struct StochasticDepthStore {
-    real depth;   // of the nearest fragment that took the sample; beyond any where none did
-    whole id;     // below 2^31; breaks ties: the smaller is in front
-    real3 color;  // sum of the premultiplied colours
-    real weight;  // sum of the opacities
-    real transmittance;
+struct StochasticDepth {
+    real depth;  // of the nearest fragment that took the sample; beyond any where none did
+    whole id;    // below 2^31; breaks ties: the smaller is in front
 };
 
-SHEER_FN StochasticDepthStore stochastic_depth_clear(real beyond_any)
+SHEER_FN StochasticDepth stochastic_depth_clear(real beyond_any)
 {
-    StochasticDepthStore s;
+    StochasticDepth s;
     s.depth = beyond_any;
     s.id = whole(0x7fffffffu);
-    s.color = real3(real(0.0f), real(0.0f), real(0.0f));
-    s.weight = real(0.0f);
-    s.transmittance = real(1.0f);
     return s;
 }
 
 // First pass. `taken`: whether the fragment's mask has this sample.
-SHEER_FN StochasticDepthStore stochastic_depth_insert(StochasticDepthStore s, mask taken,
-                                                      real depth, whole id)
+SHEER_FN StochasticDepth stochastic_depth_insert(StochasticDepth s, mask taken, StochasticDepth f)
 {
-    mask stays = !(taken && (depth < s.depth || (depth == s.depth && id < s.id)));
-    s.depth = select(stays, s.depth, depth);
-    s.id = select(stays, s.id, id);
+    mask stays = !(taken && (f.depth < s.depth || (f.depth == s.depth && f.id < s.id)));
+    s.depth = select(stays, s.depth, f.depth);
+    s.id = select(stays, s.id, f.id);
     return s;
 }
 
-// Second pass, beside total_alpha_insert, which goes once over the fragments. The fragment that the
-// first pass kept is not behind itself: depth and id must be the same bits in both.
-SHEER_FN StochasticDepthStore stochastic_depth_add(StochasticDepthStore s, mask covered, real depth,
-                                                   whole id, real3 straight_color, real opacity)
+// Second pass: whether a fragment that covers the sample is added up. That which the first pass
+// kept is not behind itself: depth and id must be the same bits in both.
+SHEER_FN mask stochastic_depth_shows(StochasticDepth s, mask covered, StochasticDepth f)
 {
-    mask behind = s.depth < depth || (depth == s.depth && s.id < id);
-    real alpha = select(covered && !behind, opacity, real(0.0f));
-    s.color = s.color + alpha * straight_color;
-    s.weight = s.weight + alpha;
-    return s;
+    mask behind = s.depth < f.depth || (f.depth == s.depth && s.id < f.id);
+    return covered && !behind;
 }
 
-// Of two stores that have gone through the same passes; after the first pass each part goes on with
-// what was merged.
-SHEER_FN StochasticDepthStore stochastic_depth_merge(StochasticDepthStore a, StochasticDepthStore b)
+// Of a sample, and alpha is the opacity or 0. Or of a pixel, where the filter is the mean of each
+// pixel's own samples: alpha is then opacity times the number of samples at which the fragment is
+// added up, and the sums are as many times larger as the pixel has samples.
+struct StochasticDepthSum {
+    real3 color;  // of the premultiplied colours
+    real weight;  // of the opacities
+};
+
+SHEER_FN StochasticDepthSum stochastic_depth_no_sum()
 {
-    a = stochastic_depth_insert(a, b.depth == b.depth, b.depth, b.id);
-    a.color = a.color + b.color;
-    a.weight = a.weight + b.weight;
-    a.transmittance = a.transmittance * b.transmittance;
-    return a;
+    StochasticDepthSum sum;
+    sum.color = real3(real(0.0f), real(0.0f), real(0.0f));
+    sum.weight = real(0.0f);
+    return sum;
+}
+
+SHEER_FN StochasticDepthSum stochastic_depth_add(StochasticDepthSum sum, real alpha,
+                                                 real3 straight_color)
+{
+    sum.color = sum.color + alpha * straight_color;
+    sum.weight = sum.weight + alpha;
+    return sum;
 }

@@ -57,13 +57,10 @@ struct BlendTile : SampleStore<S, BlendMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            const auto color = color_of<Text>(f, i);
-            const typename Base::real opacity(f.opacity[i]);
-            this->update(f, i, [&](auto store, auto covered) HWY_ATTR {
-                return Text::blend_insert(store, covered, color, opacity);
-            });
-        }
+        using real = typename Base::real;
+        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
+            return Text::blend_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]));
+        });
     }
 };
 

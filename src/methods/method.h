@@ -87,6 +87,8 @@ struct StoreShape {
     EyeSpace eye;
     int stream_capacity;                       // most fragments in a stream that is inserted
     std::size_t most_bytes = ~std::size_t{0};  // for a store without bound: what it may take
+    // Whether pixels are more than the means of their own samples.
+    bool filter_mixes_pixels = true;
 };
 
 // What a store is cleared for.

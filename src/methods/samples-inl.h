@@ -6,6 +6,8 @@
 #define SHEER_SAMPLES_INL_H
 #endif
 
+#include <type_traits>
+
 #include "lanes/lanes-inl.h"
 #include "lanes/text.h"
 #include "methods/method.h"
@@ -51,6 +53,39 @@ HWY_INLINE void resolve_samples(SampleColors& backdrop, std::size_t pixel, std::
     Text::over_alpha(transmittance, real::load(alpha)).store(alpha);
 }
 
+// S, which 16 stands for too where there are more.
+template <int S>
+HWY_INLINE std::size_t sample_count(int samples)
+{
+    return static_cast<std::size_t>(S < 16 ? S : samples);
+}
+
+// Calls visit(pixel, s) for each vector of samples of a tile.
+template <int S, class Visit>
+HWY_INLINE void for_each_vector(int samples, Visit&& visit)
+{
+    for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
+        for (std::size_t s = 0; s < sample_count<S>(samples); s += Lanes<S>::kCount) {
+            visit(pixel, s);
+        }
+    }
+}
+
+// Calls visit with the number of samples as a constant, which unrolls.
+template <int S, class Visit>
+HWY_INLINE void with_sample_count(int samples, Visit&& visit)
+{
+    if constexpr (S < 16) {
+        visit(std::integral_constant<int, S>());
+    } else {
+        switch (samples) {
+            case 16: return visit(std::integral_constant<int, 16>());
+            case 32: return visit(std::integral_constant<int, 32>());
+            default: return visit(std::integral_constant<int, 64>());
+        }
+    }
+}
+
 // A text's store at every sample of a tile. Method names the text's store and verbs and says how
 // the store lies in kChannels floats a sample:
 //   Text, Store, kChannels, clear(), merge(a, b), resolve(store, backdrop, transmittance),
@@ -65,21 +100,16 @@ struct SampleStore {
 
     SampleValues<Method::kChannels> kept;
 
-    explicit SampleStore(const StoreShape& shape) : kept(shape.samples->count) {}
+    explicit SampleStore(int samples) : kept(samples) {}
+    explicit SampleStore(const StoreShape& shape) : SampleStore(shape.samples->count) {}
 
     // Calls visit(pixel, s) for each vector of samples of the tile.
     template <class Visit>
     HWY_INLINE void for_each(Visit&& visit) const
     {
-        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            for (std::size_t s = 0; s < count(); s += L::kCount) visit(pixel, s);
-        }
+        for_each_vector<S>(kept.samples, visit);
     }
-    // S, which 16 stands for too where there are more.
-    HWY_INLINE std::size_t count() const
-    {
-        return S < 16 ? static_cast<std::size_t>(S) : static_cast<std::size_t>(kept.samples);
-    }
+    HWY_INLINE std::size_t count() const { return sample_count<S>(kept.samples); }
     HWY_INLINE float* values() { return kept.values.data(); }
     HWY_INLINE const float* values() const { return kept.values.data(); }
     HWY_INLINE auto load(std::size_t pixel, std::size_t s) const
@@ -91,7 +121,7 @@ struct SampleStore {
         Method::save(store, values() + Method::kChannels * pixel * count() + s, count());
     }
 
-    void clear(const TilePlace&)
+    void clear(const TilePlace& = {})
     {
         for_each([&](std::size_t pixel, std::size_t s)
                      HWY_ATTR { save(Method::clear(), pixel, s); });
@@ -113,13 +143,38 @@ struct SampleStore {
         });
     }
 
-    // Replaces the store at each sample of fragment i's pixel by add(store, covered).
+    // Replaces the store at the samples of each fragment i's pixel by add(i, store, covered).
+    // Two fragments at a time, which takes a fourth less: no two of a run share a pixel, and a load
+    // need not wait for the store before it to show that it went elsewhere.
     template <class Add>
-    HWY_INLINE void update(const FragmentStream& f, std::size_t i, Add&& add)
+    HWY_INLINE void update(const FragmentStream& f, Add&& add)
     {
-        for (std::size_t s = 0; s < count(); s += L::kCount) {
-            const mask covered = sample_mask<L>(f, i, s);
-            save(add(load(f.pixel[i], s), covered), f.pixel[i], s);
+        with_sample_count<S>(kept.samples, [&](auto samples) HWY_ATTR {
+            for (int r = 0; r < f.run_count; ++r) update_run<samples>(f, f.runs[r], add);
+        });
+    }
+
+private:
+    template <int Samples, class Add>
+    HWY_INLINE void update_run(const FragmentStream& f, const FragmentRun& run, Add&& add)
+    {
+        const std::size_t end = run.first + run.count;
+        std::size_t i = run.first;
+        for (; i + 2 <= end; i += 2) update_some<Samples, 2>(f, i, add);
+        if (i < end) update_some<Samples, 1>(f, i, add);
+    }
+    // Fragments i, i + 1, ...
+    template <int Samples, int Some, class Add>
+    HWY_INLINE void update_some(const FragmentStream& f, std::size_t i, Add&& add)
+    {
+        for (std::size_t s = 0; s < Samples; s += L::kCount) {
+            float* at[Some];
+            typename Method::Store stores[Some];
+            for (std::size_t k = 0; k < Some; ++k) {
+                at[k] = values() + Method::kChannels * f.pixel[i + k] * Samples + s;
+                stores[k] = add(i + k, Method::load(at[k], Samples), sample_mask<L>(f, i + k, s));
+            }
+            for (std::size_t k = 0; k < Some; ++k) Method::save(stores[k], at[k], Samples);
         }
     }
 };

@@ -70,8 +70,8 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
 
     const SampleSet& set;
     StochasticMasks masks;
-    TotalAlpha<S> total_alpha;  // for alpha correction
-    SampleValues<4> shown;      // by the passes before this one: sums of colour and of what is won
+    TotalAlpha<S> total_alpha{0};  // for alpha correction
+    SampleValues<4> shown;  // by the passes before this one: sums of colour and of what is won
     bool corrects;
     int pass = 0;
 
@@ -141,15 +141,7 @@ struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
             begin_pass();
         }
         if (corrects && pass == 0) total_alpha.insert(f);
-        if constexpr (S < 16) {
-            insert_all<S>(f);
-        } else {
-            switch (set.count) {
-                case 16: return insert_all<16>(f);
-                case 32: return insert_all<32>(f);
-                default: return insert_all<64>(f);
-            }
-        }
+        with_sample_count<S>(set.count, [&](auto samples) HWY_ATTR { insert_all<samples>(f); });
     }
 
     template <int Samples>

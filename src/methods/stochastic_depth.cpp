@@ -1,7 +1,7 @@
 // Depth-based stochastic transparency: shaders/sheer/stochastic_depth.glsl at every sample.
 //
-// With more passes of samples than one, both passes of the text take turns, and the sums go on. 28
-// bytes a sample.
+// With more passes of samples than one, both passes of the text take turns, and the sums go on. A
+// sample keeps 12 bytes; sums are 16 more, of a pixel where that will do.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -22,211 +22,241 @@ template <class L>
 struct StochasticDepthText {
 #include "lanes/text_words.h"
 #include "sheer/over.glsl"
-#include "sheer/alpha_correction.glsl"
 #include "sheer/stochastic_depth.glsl"
 };
 
 template <int S>
-struct StochasticDepthMethod {
+class StochasticDepthTile {
     using L = Lanes<S>;
     using Text = StochasticDepthText<L>;
-    using Store = typename Text::StochasticDepthStore;
+    using real3 = typename Text::real3;
     using real = typename L::real;
     using whole = typename L::whole;
-    static constexpr int kChannels = 7;
+    using Depth = typename Text::StochasticDepth;
+    using Sum = typename Text::StochasticDepthSum;
+    using LoneText = StochasticDepthText<Lone<float>>;
 
-    static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
-    static HWY_INLINE Store clear() { return Text::stochastic_depth_clear(beyond_any()); }
-    static HWY_INLINE Store merge(Store a, Store b) { return Text::stochastic_depth_merge(a, b); }
-    static HWY_INLINE Store load(const float* at, std::size_t samples)
-    {
-        return {real::load(at), whole::bits_of(real::load(at + samples)),
-                load_color<Text>(at + 2 * samples, samples), real::load(at + 5 * samples),
-                real::load(at + 6 * samples)};
-    }
-    static HWY_INLINE void save_depth(const Store& s, float* at, std::size_t samples)
-    {
-        s.depth.store(at);
-        s.id.as_real().store(at + samples);
-    }
-    static HWY_INLINE void save_sums(const Store& s, float* at, std::size_t samples)
-    {
-        save_color<Text>(s.color, at + 2 * samples, samples);
-        s.weight.store(at + 5 * samples);
-        s.transmittance.store(at + 6 * samples);
-    }
-    static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
-    {
-        save_depth(s, at, samples);
-        save_sums(s, at, samples);
-    }
-};
-
-template <int S>
-struct StochasticDepthTile : SampleStore<S, StochasticDepthMethod<S>> {
-    using Base = SampleStore<S, StochasticDepthMethod<S>>;
-    using typename Base::L;
-    using typename Base::real;
-    using typename Base::real3;
-    using typename Base::Text;
-    using Method = StochasticDepthMethod<S>;
-
-    const SampleSet& set;
-    StochasticMasks masks;
-    bool corrects;
-    int pass = 0;  // even: depths; odd: sums
-
+public:
     explicit StochasticDepthTile(const StoreShape& shape)
-        : Base(shape),
-          set(*shape.samples),
-          masks(shape),
-          corrects(shape.method->value("correction") == "on")
+        : set_(*shape.samples),
+          masks_(shape),
+          corrects_(shape.method->value("correction") == "on"),
+          depths_(set_.count),
+          total_alpha_(set_.count)
     {
+        if (shape.filter_mixes_pixels) sums_ = SampleValues<4>(set_.count);
     }
 
     void clear(const TilePlace& place)
     {
-        Base::clear(place);
-        masks.clear(place);
-        masks.begin_pass(0);
-        pass = 0;
+        masks_.clear(place);
+        std::fill_n(sums_.values.data(), sums_.values.size(), 0.0f);
+        std::fill(std::begin(sums_of_pixels_), std::end(sums_of_pixels_),
+                  LoneText::stochastic_depth_no_sum());
+        total_alpha_.clear();
+        pass_ = 0;
+        begin_depths(0);
     }
 
-    void insert(const FragmentStream& f, int of_pass)
+    void insert(const FragmentStream& f, int pass)
     {
-        if (of_pass != pass && of_pass % 2 == 0) {
-            masks.begin_pass(of_pass / 2);
-            this->for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
-                Method::save_depth(Method::clear(), at(pixel, s), this->count());
-            });
-        }
-        pass = of_pass;
-        if constexpr (S < 16) {
-            insert_all<S>(f);
-        } else {
-            switch (set.count) {
-                case 16: return insert_all<16>(f);
-                case 32: return insert_all<32>(f);
-                default: return insert_all<64>(f);
+        const bool finds_depths = pass % 2 == 0;
+        if (pass != pass_ && finds_depths) begin_depths(pass / 2);
+        pass_ = pass;
+        // The same for all passes of samples.
+        if (pass == 1) total_alpha_.insert(f);
+        with_sample_count<S>(set_.count, [&](auto samples) HWY_ATTR {
+            if (finds_depths) {
+                masks_.template for_each_run<samples>(
+                    f, [&](const FragmentRun& run, std::size_t k)
+                           HWY_ATTR { return insert_depths<samples>(f, run, k); });
+            } else {
+                per_pixel() ? add_shown<samples, true>(f) : add_shown<samples, false>(f);
             }
-        }
+        });
     }
 
-    template <int Samples>
-    void insert_all(const FragmentStream& f)
+    void merge(const StochasticDepthTile& other)
     {
-        if (pass % 2 == 0) {
-            masks.for_each_run<Samples>(f, [&](const FragmentRun& run, std::size_t k) HWY_ATTR {
-                return insert_depths<Samples>(f, run, k);
-            });
-            return;
+        for_each_vector<S>(set_.count, [&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            const Depth theirs = load_depth(other.depths_.channel(pixel, 0) + s, count());
+            float* at = depths_.channel(pixel, 0) + s;
+            save_depth(Text::stochastic_depth_insert(load_depth(at, count()),
+                                                     theirs.depth == theirs.depth, theirs),
+                       at, count());
+        });
+        for (std::size_t i = 0; i < sums_.values.size(); ++i) {
+            sums_.values[i] += other.sums_.values[i];
         }
-        for (int r = 0; r < f.run_count; ++r) {
-            // Total alpha is the same for all passes of samples.
-            pass == 1 ? add_run<Samples, true>(f, f.runs[r])
-                      : add_run<Samples, false>(f, f.runs[r]);
+        for (std::size_t i = 0; i < kTilePixels; ++i) {
+            auto& sum = sums_of_pixels_[i];
+            sum.color = sum.color + other.sums_of_pixels_[i].color;
+            sum.weight += other.sums_of_pixels_[i].weight;
         }
+        total_alpha_.merge(other.total_alpha_);
     }
 
-    template <int Samples>
-    static constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
+    void resolve(SampleColors& backdrop) const
+    {
+        const real part(1.0f / static_cast<float>(masks_.settings.passes));
+        for_each_vector<S>(set_.count, [&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            const Sum sum = sum_of(pixel, s);
+            if (corrects_) {
+                return total_alpha_.dim(backdrop, pixel, s, sum.color, sum.weight);
+            }
+            resolve_samples<Text>(backdrop, pixel, s,
+                                  [&](real3 behind, real& transmittance) HWY_ATTR {
+                                      transmittance = total_alpha_.load(pixel, s);
+                                      return Text::over(part * sum.color, transmittance, behind);
+                                  });
+        });
+    }
 
-    template <int Samples>
-    struct Offsets {
-        real of_block[kBlocks<Samples>];
+private:
+    std::size_t count() const { return sample_count<S>(set_.count); }
+    bool per_pixel() const { return sums_.values.size() == 0; }
 
-        HWY_INLINE Offsets(const DepthPlane& plane, const SampleSet& set)
+    void begin_depths(int pass_of_samples)
+    {
+        masks_.begin_pass(pass_of_samples);
+        const Depth nothing =
+            Text::stochastic_depth_clear(real(std::numeric_limits<float>::infinity()));
+        for_each_vector<S>(set_.count, [&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            save_depth(nothing, depths_.channel(pixel, 0) + s, count());
+        });
+    }
+    static HWY_INLINE Depth load_depth(const float* at, std::size_t samples)
+    {
+        return {real::load(at), whole::bits_of(real::load(at + samples))};
+    }
+    static HWY_INLINE void save_depth(const Depth& s, float* at, std::size_t samples)
+    {
+        s.depth.store(at);
+        s.id.as_real().store(at + samples);
+    }
+    static HWY_INLINE Sum load_sum(const float* at, std::size_t samples)
+    {
+        return {load_color<Text>(at, samples), real::load(at + 3 * samples)};
+    }
+    HWY_INLINE Sum sum_of(std::size_t pixel, std::size_t s) const
+    {
+        if (!per_pixel()) return load_sum(sums_.channel(pixel, 0) + s, count());
+        const auto& sum = sums_of_pixels_[pixel];
+        const real mean(1.0f / static_cast<float>(set_.count));
+        return {mean * real3{real(sum.color.x), real(sum.color.y), real(sum.color.z)},
+                mean * real(sum.weight)};
+    }
+
+    // A run's fragments at the samples, a vector of them a block.
+    template <int Samples>
+    struct DepthsOfRun {
+        static constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
+        DepthPlane plane;  // a copy, which what is stored cannot alias
+        whole id;
+        real offsets[kBlocks];
+
+        HWY_INLINE DepthsOfRun(const FragmentRun& run, const SampleSet& set)
+            : plane(run.depth), id(run.primitive)
         {
-            for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
-                of_block[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
+            for (std::size_t b = 0; b < kBlocks; ++b) {
+                offsets[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
             }
+        }
+        HWY_INLINE Depth at(std::size_t block, float center) const
+        {
+            return {sample_depth<L>(plane, offsets[block], center), id};
         }
     };
 
+    // Inserts a run's candidates, of which k is the first. Returns the next run's first.
     template <int Samples>
     HWY_INLINE std::size_t insert_depths(const FragmentStream& f, const FragmentRun& run,
                                          std::size_t k)
     {
-        // Copies, which what is stored below cannot alias.
-        const DepthPlane plane = run.depth;
-        const Offsets<Samples> offsets(plane, set);
-        const typename L::whole id(run.primitive);
+        const DepthsOfRun<Samples> of_run(run, set_);
         const std::size_t end = run.first + run.count;
-        const float* depths = f.depth.data();
+        const float* centers = f.depth.data();
         const std::uint32_t* pixels = f.pixel.data();
-        float *stores = this->values(), *far = masks.farthest.data();
-        for (; masks.number(k) < end; ++k) {
-            const std::size_t i = masks.number(k), pixel = pixels[i];
+        float *kept = depths_.values.data(), *far = masks_.farthest.data();
+        for (; masks_.number(k) < end; ++k) {
+            const std::size_t i = masks_.number(k), pixel = pixels[i];
             real most;
-            for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
+            for (std::size_t b = 0; b < of_run.kBlocks; ++b) {
                 const std::size_t s = b * L::kCount;
-                const real depth = sample_depth<L>(plane, offsets.of_block[b], depths[i]);
-                float* place = stores + (Method::kChannels * pixel * Samples + s);
-                typename Text::StochasticDepthStore store = Method::clear();
-                store.depth = real::load(place);
-                store.id = L::whole::bits_of(real::load(place + Samples));
-                store = Text::stochastic_depth_insert(store, L::mask_of_bits(masks.word(k, s)),
-                                                      depth, id);
-                Method::save_depth(store, place, Samples);
-                most = b == 0 ? store.depth : L::max(most, store.depth);
+                float* at = kept + (2 * pixel * Samples + s);
+                const Depth nearest = Text::stochastic_depth_insert(
+                    load_depth(at, Samples), L::mask_of_bits(masks_.word(k, s)),
+                    of_run.at(b, centers[i]));
+                save_depth(nearest, at, Samples);
+                most = b == 0 ? nearest.depth : L::max(most, nearest.depth);
             }
             far[pixel] = most.greatest();
         }
         return k;
     }
 
-    template <int Samples, bool WithTotalAlpha>
-    HWY_INLINE void add_run(const FragmentStream& f, const FragmentRun& run)
+    // Second pass: most fragments lie behind all that their pixel kept.
+    template <int Samples, bool PerPixel>
+    HWY_INLINE void add_shown(const FragmentStream& f)
     {
-        const DepthPlane plane = run.depth;
-        const Offsets<Samples> offsets(plane, set);
-        const typename L::whole id(run.primitive);
-        const float *depths = f.depth.data(), *opacities = f.opacity.data();
+        for (int r = 0; r < f.run_count; ++r) {
+            std::size_t nearer = 0;
+            masks_.farthest.for_each_nearer(
+                f, f.runs[r],
+                [&](const Farthest::Block::Packing& packing, std::size_t i, Farthest::whole,
+                    Farthest::Real) HWY_ATTR {
+                    packing.store(Farthest::numbers(i), nearer_ + nearer);
+                    nearer += packing.count();
+                });
+            if (nearer > 0) add_run<Samples, PerPixel>(f, f.runs[r], nearer);
+        }
+    }
+    template <int Samples, bool PerPixel>
+    HWY_INLINE void add_run(const FragmentStream& f, const FragmentRun& run, std::size_t nearer)
+    {
+        const DepthsOfRun<Samples> of_run(run, set_);
+        const float *centers = f.depth.data(), *opacities = f.opacity.data();
         const float *red = f.red.data(), *green = f.green.data(), *blue = f.blue.data();
         const std::uint32_t *pixels = f.pixel.data(), *low = f.samples.data();
         const std::uint32_t* high = f.samples_high.data();
-        float* stores = this->values();
-        const std::size_t end = run.first + run.count;
-        for (std::size_t i = run.first; i < end; ++i) {
-            const real3 color = {real(red[i]), real(green[i]), real(blue[i])};
-            const real opacity(opacities[i]);
-            float* of_pixel = stores + Method::kChannels * pixels[i] * Samples;
-            for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
+        const float* kept = depths_.values.data();
+        for (std::size_t k = 0; k < nearer; ++k) {
+            const std::size_t i = nearer_[k], pixel = pixels[i];
+            int shown_at = 0;
+            for (std::size_t b = 0; b < of_run.kBlocks; ++b) {
                 const std::size_t s = b * L::kCount;
                 const auto covered = L::mask_of_bits((s < 32 ? low[i] : high[i]) >> (s & 31));
-                const real depth = sample_depth<L>(plane, offsets.of_block[b], depths[i]);
-                auto store = Text::stochastic_depth_add(Method::load(of_pixel + s, Samples),
-                                                        covered, depth, id, color, opacity);
-                if constexpr (WithTotalAlpha) {
-                    store.transmittance =
-                        Text::total_alpha_insert(store.transmittance, covered, opacity);
+                const auto shown = Text::stochastic_depth_shows(
+                    load_depth(kept + (2 * pixel * Samples + s), Samples), covered,
+                    of_run.at(b, centers[i]));
+                if constexpr (PerPixel) {
+                    shown_at += shown.count();
+                } else {
+                    const Sum sum =
+                        Text::stochastic_depth_add(load_sum(sums_.channel(pixel, 0) + s, Samples),
+                                                   L::zero_unless(shown, real(opacities[i])),
+                                                   {real(red[i]), real(green[i]), real(blue[i])});
+                    save_color<Text>(sum.color, sums_.channel(pixel, 0) + s, Samples);
+                    sum.weight.store(sums_.channel(pixel, 3) + s);
                 }
-                Method::save_sums(store, of_pixel + s, Samples);
+            }
+            if constexpr (PerPixel) {
+                sums_of_pixels_[pixel] = LoneText::stochastic_depth_add(
+                    sums_of_pixels_[pixel], static_cast<float>(shown_at) * opacities[i],
+                    {red[i], green[i], blue[i]});
             }
         }
     }
 
-    HWY_INLINE float* at(std::size_t pixel, std::size_t s)
-    {
-        return this->values() + Method::kChannels * pixel * this->count() + s;
-    }
-
-    void resolve(SampleColors& backdrop) const
-    {
-        const real part(1.0f / static_cast<float>(masks.settings.passes));
-        this->for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
-            const auto store = this->load(pixel, s);
-            if (corrects) {
-                return dim_backdrop<Text>(backdrop, pixel, s, store.transmittance, store.color,
-                                          store.weight);
-            }
-            resolve_samples<Text>(backdrop, pixel, s,
-                                  [&](real3 behind, real& transmittance) HWY_ATTR {
-                                      transmittance = store.transmittance;
-                                      return Text::over(part * store.color, transmittance, behind);
-                                  });
-        });
-    }
+    const SampleSet& set_;
+    StochasticMasks masks_;
+    bool corrects_;
+    int pass_ = 0;            // even: depths; odd: sums
+    SampleValues<2> depths_;  // and ids
+    SampleValues<4> sums_;    // none where sums are those of pixels
+    LoneText::StochasticDepthSum sums_of_pixels_[kTilePixels];
+    TotalAlpha<S> total_alpha_;
+    std::uint32_t nearer_[kTilePixels + 16];  // fragments of a run, in the stream
 };
 
 StoreVerbs stochastic_depth_store(int samples)

@@ -11,11 +11,10 @@
 #endif
 
 #include <bit>
-#include <cmath>
-#include <limits>
 #include <memory>
 
 #include "lanes/lone.h"
+#include "methods/farthest-inl.h"
 #include "methods/mask_table.h"
 #include "methods/samples-inl.h"
 #include "methods/stochastic_settings.h"
@@ -39,7 +38,7 @@ class StochasticMasks {
 
 public:
     MaskSettings settings;
-    AlignedArray<float> farthest{kTilePixels};  // of each pixel: the most depth that a sample keeps
+    Farthest farthest;
 
     explicit StochasticMasks(const StoreShape& shape)
         : settings(mask_settings(*shape.method, shape.samples->count))
@@ -51,7 +50,7 @@ public:
     // Of the samples; nothing is kept yet.
     void begin_pass(int pass)
     {
-        std::fill_n(farthest.data(), kTilePixels, std::numeric_limits<float>::infinity());
+        farthest.clear();
         first_ = settings.joint ? pass * settings.samples : 0;
         // Independent passes are seeded apart.
         key_ = settings.joint ? place_.key : place_.key + static_cast<std::uint32_t>(pass) * kApart;
@@ -132,36 +131,24 @@ private:
     HWY_INLINE std::size_t collect(const FragmentStream& f, const FragmentRun& run,
                                    std::size_t count)
     {
-        using Real = typename Block::real;
         Candidates& c = candidates_;
-        const DepthPlane& plane = run.depth;
-        const Real least(plane.least), most(plane.most);
-        const Real reach(0.5f * (std::abs(plane.dx) + std::abs(plane.dy)) + plane.slack);
         const whole name(name_of(run));
         const bool by_depth = settings.seed_by == SeedBy::depth;
-        const std::size_t last = run.first + run.count;
-        const whole end(static_cast<std::int32_t>(last));
-        const float* far = farthest.data();
-        for (std::size_t i = run.first; i < last; i += Block::kCount) {
-            // What lies past the stream's end may be any number.
-            const whole pixel = whole::load(f.pixel.data() + i) & whole(kTilePixels - 1);
-            const Real at_center = Real::load(f.depth.data() + i);
-            const Real nearest = Block::min(Block::max(at_center - reach, least), most);
-            const whole numbers = Block::iota() + whole(static_cast<std::int32_t>(i));
-            // Written so that a depth that is no number may win.
-            const auto keep = !(nearest > Block::gather(far, pixel)) && numbers < end;
-            if (!keep.any()) continue;
-            const typename Block::Packing packing(keep);
-            packing.store(numbers, c.number + count);
-            packing.store(pixel, c.pixel + count);
-            packing.store(by_depth ? whole::bits_of(at_center) : name, c.identity + count);
-            packing.store(whole::bits_of(Real::load(f.opacity.data() + i)), c.opacity + count);
-            packing.store(whole::load(f.samples.data() + i), c.samples + count);
-            if constexpr (Samples > 32) {
-                packing.store(whole::load(f.samples_high.data() + i), c.samples_high + count);
-            }
-            count += packing.count();
-        }
+        farthest.for_each_nearer(
+            f, run,
+            [&](const Block::Packing& packing, std::size_t i, whole pixels,
+                Block::real depths) HWY_ATTR {
+                packing.store(Farthest::numbers(i), c.number + count);
+                packing.store(pixels, c.pixel + count);
+                packing.store(by_depth ? whole::bits_of(depths) : name, c.identity + count);
+                packing.store(whole::bits_of(Block::real::load(f.opacity.data() + i)),
+                              c.opacity + count);
+                packing.store(whole::load(f.samples.data() + i), c.samples + count);
+                if constexpr (Samples > 32) {
+                    packing.store(whole::load(f.samples_high.data() + i), c.samples_high + count);
+                }
+                count += packing.count();
+            });
         return count;
     }
 

@@ -24,6 +24,7 @@ MethodTraits traits_of(const ChosenMethod& method)
         traits.passes = 2 * passes;
         traits.pass_names = {"stochastic depth", "accumulation"};
         traits.bytes_per_sample = 28;
+        traits.bytes_besides += 16;
         traits.any_order = Agreement::rounding;
         traits.merge = passes == 1 ? Agreement::rounding : Agreement::none;
         traits.bias = corrects ? Bias::consistent : Bias::unbiased;

@@ -39,54 +39,40 @@ HWY_INLINE void dim_backdrop(SampleColors& backdrop, std::size_t pixel, std::siz
     (real(1.0f) - transmittance).store(at + 4 * samples);
 }
 
-// The product of what all fragments let through, one float a sample.
 template <int S>
-class TotalAlpha {
+struct TotalAlphaMethod {
     using L = Lanes<S>;
-    using real = typename L::real;
     using Text = TotalAlphaText<L>;
+    using Store = typename L::real;  // transmittance
+    static constexpr int kChannels = 1;
 
-public:
-    TotalAlpha() = default;
-    explicit TotalAlpha(int samples) : kept_(samples) {}
+    static HWY_INLINE Store clear() { return Store(1.0f); }
+    static HWY_INLINE Store merge(Store a, Store b) { return a * b; }
+    static HWY_INLINE Store load(const float* at, std::size_t) { return Store::load(at); }
+    static HWY_INLINE void save(Store s, float* at, std::size_t) { s.store(at); }
+};
 
-    void clear() { std::fill_n(kept_.values.data(), kept_.values.size(), 1.0f); }
+// The product of what all fragments let through.
+template <int S>
+struct TotalAlpha : SampleStore<S, TotalAlphaMethod<S>> {
+    using Base = SampleStore<S, TotalAlphaMethod<S>>;
+    using Base::Base;
+    using typename Base::real;
+    using typename Base::Text;
 
-    void insert(const FragmentStream& f)
+    HWY_INLINE void insert(const FragmentStream& f)
     {
-        const std::size_t samples = count();
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            const real opacity(f.opacity[i]);
-            float* at = kept_.channel(f.pixel[i], 0);
-            for (std::size_t s = 0; s < samples; s += L::kCount) {
-                const auto covered = sample_mask<L>(f, i, s);
-                Text::total_alpha_insert(real::load(at + s), covered, opacity).store(at + s);
-            }
-        }
-    }
-
-    void merge(const TotalAlpha& other)
-    {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(kept_.values.size()); ++i) {
-            kept_.values[i] *= other.kept_.values[i];
-        }
+        this->update(f, [&](std::size_t i, real store, auto covered) HWY_ATTR {
+            return Text::total_alpha_insert(store, covered, real(f.opacity[i]));
+        });
     }
 
     template <class Color>
     HWY_INLINE void dim(SampleColors& backdrop, std::size_t pixel, std::size_t s, const Color& sum,
                         real weight) const
     {
-        dim_backdrop<Text>(backdrop, pixel, s, real::load(kept_.channel(pixel, 0) + s),
-                           {sum.x, sum.y, sum.z}, weight);
+        dim_backdrop<Text>(backdrop, pixel, s, this->load(pixel, s), {sum.x, sum.y, sum.z}, weight);
     }
-
-private:
-    HWY_INLINE std::size_t count() const
-    {
-        return S < 16 ? static_cast<std::size_t>(S) : static_cast<std::size_t>(kept_.samples);
-    }
-
-    SampleValues<1> kept_;
 };
 
 }  // namespace sheer::HWY_NAMESPACE

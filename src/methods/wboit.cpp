@@ -77,13 +77,11 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
     void insert(const FragmentStream& f, int)
     {
         weigh(f);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            const auto color = color_of<Text>(f, i);
-            const typename Base::real opacity(f.opacity[i]), weight(weights[i]);
-            this->update(f, i, [&](auto store, auto covered) HWY_ATTR {
-                return Text::wboit_insert(store, covered, color, opacity, weight);
-            });
-        }
+        using real = typename Base::real;
+        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
+            return Text::wboit_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]),
+                                      real(weights[i]));
+        });
     }
 
     void weigh(const FragmentStream& f)

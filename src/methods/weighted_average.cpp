@@ -56,13 +56,11 @@ struct WeightedAverageTile : SampleStore<S, WeightedAverageMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            const auto color = color_of<Text>(f, i);
-            const typename Base::real opacity(f.opacity[i]);
-            this->update(f, i, [&](auto store, auto covered) HWY_ATTR {
-                return Text::weighted_average_insert(store, covered, color, opacity);
-            });
-        }
+        using real = typename Base::real;
+        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
+            return Text::weighted_average_insert(store, covered, color_of<Text>(f, i),
+                                                 real(f.opacity[i]));
+        });
     }
 };
 

@@ -246,40 +246,42 @@ struct StochasticDepthAlone : MasksAlone<L> {
     using real3 = typename T::real3;
     static constexpr int kPasses = 2;
     struct Store {
-        typename T::StochasticDepthStore sums;
+        typename T::StochasticDepth nearest;
+        typename T::StochasticDepthSum sum;
+        real transmittance;
         bool corrects;
     };
 
     Store clear() const
     {
-        return {T::stochastic_depth_clear(this->beyond_any()),
-                this->method.value("correction") == "on"};
+        return {T::stochastic_depth_clear(this->beyond_any()), T::stochastic_depth_no_sum(),
+                real(1.0f), this->method.value("correction") == "on"};
     }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
+        const typename T::StochasticDepth fragment = {this->depth(i, at), this->id(i)};
         if (this->pass == 0) {
-            s.sums = T::stochastic_depth_insert(s.sums, this->takes(i, at), this->depth(i, at),
-                                                this->id(i));
+            s.nearest = T::stochastic_depth_insert(s.nearest, this->takes(i, at), fragment);
             return s;
         }
         const bool covered = this->lists.covers(i, at);
-        s.sums = T::stochastic_depth_add(s.sums, covered, this->depth(i, at), this->id(i),
-                                         this->color(i), this->opacity(i));
-        s.sums.transmittance =
-            T::total_alpha_insert(s.sums.transmittance, covered, this->opacity(i));
+        const bool shown = T::stochastic_depth_shows(s.nearest, covered, fragment);
+        s.sum =
+            T::stochastic_depth_add(s.sum, shown ? this->opacity(i) : real(0.0f), this->color(i));
+        s.transmittance = T::total_alpha_insert(s.transmittance, covered, this->opacity(i));
         return s;
     }
     static real3 resolve(Store s, real3 behind)
     {
-        const real one(1.0f), through = s.sums.transmittance;
-        if (!s.corrects) return T::over(s.sums.color, through, behind);
-        return T::over(T::alpha_corrected(s.sums.color, s.sums.weight, one - through), through,
+        const real one(1.0f), through = s.transmittance;
+        if (!s.corrects) return T::over(s.sum.color, through, behind);
+        return T::over(T::alpha_corrected(s.sum.color, s.sum.weight, one - through), through,
                        behind);
     }
-    static real transmittance(Store s) { return s.sums.transmittance; }
+    static real transmittance(Store s) { return s.transmittance; }
     static auto keep(Store s)
     {
-        return StochasticDepthAlone::kept(s.sums.color, s.sums.weight, s.sums.transmittance);
+        return StochasticDepthAlone::kept(s.sum.color, s.sum.weight, s.transmittance);
     }
 };
 

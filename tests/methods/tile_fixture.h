@@ -148,6 +148,7 @@ struct Setting {
     const SampleSet* set;
     Simd level = Simd::best;
     EyeSpace eye = {true, 0.1f, 500.0f};
+    bool filter_mixes_pixels = true;
 };
 
 // One store under test, clear at first.
@@ -157,7 +158,8 @@ public:
         : setting_(setting),
           verbs_(setting.method.row->verbs(targets_of(setting.level), setting.method,
                                            setting.set->count)),
-          store_(verbs_.make({setting.set, &setting_.method, setting.eye, kMostFragments}))
+          store_(verbs_.make({setting.set, &setting_.method, setting.eye, kMostFragments,
+                              ~std::size_t{0}, setting.filter_mixes_pixels}))
     {
         verbs_.clear(store_.get(), {64, 32, 0x1234567u});
     }
@@ -182,15 +184,21 @@ public:
         seen_.insert(seen_.end(), later.seen_.begin(), later.seen_.end());
     }
 
-    // After the passes that are left. Of a method that divides, the filter being a sample's.
-    Colors resolve(const Colors& backdrop)
+    // After the passes that are left.
+    SampleColors resolve_samples(const Colors& backdrop)
     {
         const MethodTraits traits = setting_.method.traits();
         for (; pass_ < traits.passes; ++pass_) insert_again(pass_);
         SampleColors colors(setting_.set->count, traits.divides);
         std::copy(backdrop.begin(), backdrop.end(), colors.values.data());
         verbs_.resolve(store_.get(), colors);
-        if (traits.divides) test::add_fraction(colors);
+        return colors;
+    }
+    // Of a method that divides, the filter being a sample's.
+    Colors resolve(const Colors& backdrop)
+    {
+        SampleColors colors = resolve_samples(backdrop);
+        if (setting_.method.traits().divides) test::add_fraction(colors);
         return {colors.values.data(), colors.values.data() + colors.values.size()};
     }
 

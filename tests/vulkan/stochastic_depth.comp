@@ -11,17 +11,22 @@
 
 void main()
 {
-    StochasticDepthStore s = stochastic_depth_clear(uintBitsToFloat(0x7f800000u));  // infinity
+    StochasticDepth s = stochastic_depth_clear(uintBitsToFloat(0x7f800000u));  // infinity
     for (uint i = list_begin(); i < list_end(); ++i) {
         Fragment f = fragments[i];
-        s = stochastic_depth_insert(s, takes(f), depth_here(f), f.primitive);
+        s = stochastic_depth_insert(s, takes(f), StochasticDepth(depth_here(f), f.primitive));
     }
+    StochasticDepthSum sum = stochastic_depth_no_sum();
+    float transmittance = 1.0;
     for (uint i = list_begin(); i < list_end(); ++i) {
         Fragment f = fragments[i];
-        s = stochastic_depth_add(s, covers(f), depth_here(f), f.primitive, color_of(f), f.opacity);
-        s.transmittance = total_alpha_insert(s.transmittance, covers(f), f.opacity);
+        StochasticDepth here = StochasticDepth(depth_here(f), f.primitive);
+        bool shown = stochastic_depth_shows(s, covers(f), here);
+        sum = stochastic_depth_add(sum, shown ? f.opacity : 0.0, color_of(f));
+        transmittance = total_alpha_insert(transmittance, covers(f), f.opacity);
     }
-    keep(s.color, s.weight, s.transmittance);
-    vec3 front = kCorrects ? alpha_corrected(s.color, s.weight, 1.0 - s.transmittance) : s.color;
-    put(over(front, s.transmittance, backdrop()), s.transmittance);
+    keep(sum.color, sum.weight, transmittance);
+    vec3 front = sum.color;
+    if (kCorrects) front = alpha_corrected(sum.color, sum.weight, 1.0 - transmittance);
+    put(over(front, transmittance, backdrop()), transmittance);
 }
