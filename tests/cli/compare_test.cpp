@@ -153,7 +153,7 @@ TEST(CliRender, ChannelsAccumulationAndMemory)
     EXPECT_EQ(none.exit_code, 2);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose memory is not ours
+#ifndef SHEER_SHADOW_MEMORY
 
 // The peak is that of the whole process, the picture's file included.
 TEST(CliRender, KeepsItsMemoryLimit)

@@ -75,7 +75,7 @@ Builder two_rectangles(const std::string& near_mode, const std::string& far_mode
         builder.accessor("VEC3", std::vector<float>{-9, -9, 0, 9, -9, 0, 9, 9, 0, -9, 9, 0});
     const std::size_t indices =
         builder.accessor("SCALAR", std::vector<std::uint16_t>{0, 1, 2, 0, 2, 3});
-    for (const std::size_t material : {0, 1}) {
+    for (const std::size_t material : {0u, 1u}) {
         Json& primitive = builder.primitive({{"POSITION", corners}});
         primitive["indices"] = indices;
         primitive["material"] = material;

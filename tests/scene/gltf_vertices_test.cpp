@@ -14,8 +14,10 @@ void expect_coordinates(bool normalized, const std::vector<T>& values, const Flo
     const std::size_t accessor = builder.accessor("VEC2", values);
     if (normalized) builder.json["accessors"][accessor]["normalized"] = true;
     for (const char* name : {"TEXCOORD_0", "TEXCOORD_1"}) {
-        builder.json["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", 0},
-                                                                    {name, accessor}};
+        auto& attributes = builder.json["meshes"][0]["primitives"][0]["attributes"];
+        attributes.clear();
+        attributes["POSITION"] = 0;
+        attributes[name] = accessor;
         const Mesh mesh = read(builder).meshes.at(0);
         const std::size_t set = name[9] == '1';
         ASSERT_EQ(mesh.texcoords[set].size(), 3u);

@@ -48,7 +48,7 @@ Said run_mutants(const std::string& tool, const TestFolder& kept, const std::str
 // ---- the tool ---------------------------------------------------------------------------------
 
 // A sanitizer's shadow memory takes most of the address space, and its checks most of the time.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#ifdef SHEER_SHADOW_MEMORY
 constexpr const char* kHow = "--jobs 2 --seconds 60 --sanitized ";
 #else
 constexpr const char* kHow = "--jobs 2 ";
