@@ -76,11 +76,15 @@ std::size_t thread_bytes(const FrameJob& job)
         return group.submission != Submission::as_given;
     });
     if (sorts) bytes += triangles * 4 * sizeof(SortedTriangle);  // and what stable_sort takes
+    bool divides = false;
     for (const Take& take : job.takes) {
-        if (!take.method.traits().bounded) continue;
-        bytes += kTilePixels * static_cast<std::size_t>(
-                                   take.method.traits().bytes_per_pixel(job.samples.count, 0));
+        const MethodTraits traits = take.method.traits();
+        divides = divides || traits.divides;
+        if (!traits.bounded) continue;
+        bytes +=
+            kTilePixels * static_cast<std::size_t>(traits.bytes_per_pixel(job.samples.count, 0));
     }
+    if (divides) bytes += pixel_samples * 5 * sizeof(float);  // SampleColors::fraction
     return bytes;
 }
 
