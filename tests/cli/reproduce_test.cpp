@@ -153,5 +153,17 @@ TEST(CliReproduce, MoreSamplesHaveLessNoise)
     }
 }
 
+// Exact transparency over the same shadows has the shadows' error and no other.
+TEST(CliReproduce, Figure1TellsShadowsErrorsFromTheMethods)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "stochastic-figure-1");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_LT(rows[0]["rmse same S"], rows[1]["rmse same S"]);
+    EXPECT_EQ(rows[2]["rmse same S"], 0);
+    for (const Json& row : rows) EXPECT_GT(row["rmse, exact shadows"], 0) << row;
+}
+
 }  // namespace
 }  // namespace sheer::test
