@@ -21,9 +21,9 @@ TEST(CliReproduce, ListsWhatThereIs)
     const Tool tool;
     const Outcome outcome = tool.run({"reproduce", "list"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const char* name :
-         {"stochastic-examples", "stochastic-bias", "stochastic-visibility", "stochastic-figure-1",
-          "stochastic-figure-2", "stochastic-figure-4", "stochastic-seeding"}) {
+    for (const char* name : {"stochastic-examples", "stochastic-bias", "stochastic-visibility",
+                             "stochastic-figure-1", "stochastic-figure-2", "stochastic-figure-4",
+                             "stochastic-figure-5", "stochastic-seeding"}) {
         EXPECT_NE(outcome.out.find(std::string(name) + "  "), std::string::npos) << name;
     }
     const Outcome help = tool.run({"reproduce", "--help"});
@@ -163,6 +163,24 @@ TEST(CliReproduce, Figure1TellsShadowsErrorsFromTheMethods)
     EXPECT_LT(rows[0]["rmse same S"], rows[1]["rmse same S"]);
     EXPECT_EQ(rows[2]["rmse same S"], 0);
     for (const Json& row : rows) EXPECT_GT(row["rmse, exact shadows"], 0) << row;
+}
+
+// Stratified masks vary less than naive ones, and the corrected map is exact for what lies behind
+// everything transparent, as most of the shadow does here.
+TEST(CliReproduce, MasksAndCorrectionMakeShadowsLessNoisy)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "stochastic-figure-5");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 4u);
+    const Json &naive = rows[0], &stratified = rows[1], &both = rows[2], &corrected = rows[3];
+    EXPECT_GT(naive["noise"], stratified["noise"]);
+    EXPECT_GT(stratified["noise"], both["noise"]);
+    EXPECT_GT(naive["noise"], corrected["noise"]);
+    EXPECT_GT(naive["rmse"], both["rmse"]);
+    const std::string csv = text_of(tool.file("out/deep/stochastic-figure-5.csv"));
+    EXPECT_TRUE(csv.starts_with("picture,map,rmse,noise,bias,")) << csv;
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
 }
 
 }  // namespace

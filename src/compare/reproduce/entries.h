@@ -13,6 +13,7 @@ Reproduce reproduce_stochastic_visibility;
 Reproduce reproduce_stochastic_figure_1;
 Reproduce reproduce_stochastic_figure_2;
 Reproduce reproduce_stochastic_figure_4;
+Reproduce reproduce_stochastic_figure_5;
 Reproduce reproduce_stochastic_seeding;
 
 }  // namespace sheer

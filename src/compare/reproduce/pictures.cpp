@@ -1,4 +1,4 @@
-// Row by row.
+// Row by row, pixel by pixel.
 #include "compare/reproduce/pictures.h"
 
 #include <algorithm>
@@ -21,6 +21,24 @@ Image side_by_side(std::span<const Image> pictures)
         left += picture.width + kGap;
     }
     return row;
+}
+
+Moments moments_of(const std::vector<Image>& images)
+{
+    Moments moments{images.front(), images.front(), static_cast<int>(images.size())};
+    const auto n = static_cast<double>(images.size());
+    for (std::size_t p = 0; p < moments.mean.pixels.size(); ++p) {
+        for (std::size_t c = 0; c < 4; ++c) {
+            double mean = 0, sum = 0;
+            for (const Image& image : images) mean += image.pixels[p][c] / n;
+            for (const Image& image : images) {
+                sum += (image.pixels[p][c] - mean) * (image.pixels[p][c] - mean);
+            }
+            moments.mean.pixels[p][c] = static_cast<float>(mean);
+            moments.variance.pixels[p][c] = static_cast<float>(sum / (n - 1));
+        }
+    }
+    return moments;
 }
 
 }  // namespace sheer

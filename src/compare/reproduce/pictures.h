@@ -1,13 +1,19 @@
-// Pictures of figures: several in a row.
+// Pictures of figures: several in a row, and what several have in common.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include <sheer/image.h>
+
+#include "compare/metrics.h"
 
 namespace sheer {
 
 // From left to right, white between them. They are of one height.
 Image side_by_side(std::span<const Image> pictures);
+
+// Of pictures of one size, two or more, each of a seed of its own.
+Moments moments_of(const std::vector<Image>& images);
 
 }  // namespace sheer

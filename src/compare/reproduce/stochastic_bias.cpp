@@ -11,6 +11,7 @@
 #include "compare/reproduce/chart.h"
 #include "compare/reproduce/entries.h"
 #include "compare/reproduce/page.h"
+#include "compare/reproduce/pictures.h"
 #include "compare/reproduce/stochastic_trials.h"
 #include "cpu/frame.h"
 #include "methods/method.h"
@@ -204,24 +205,6 @@ std::vector<Image> draw_seeds(const Scene& scene, const View& view, const Estima
                                             : std::move(frame.image));
     }
     return images;
-}
-
-Moments moments_of(const std::vector<Image>& images)
-{
-    Moments moments{images.front(), images.front(), static_cast<int>(images.size())};
-    const auto n = static_cast<double>(images.size());
-    for (std::size_t p = 0; p < moments.mean.pixels.size(); ++p) {
-        for (std::size_t c = 0; c < 4; ++c) {
-            double mean = 0, sum = 0;
-            for (const Image& image : images) mean += image.pixels[p][c] / n;
-            for (const Image& image : images) {
-                sum += (image.pixels[p][c] - mean) * (image.pixels[p][c] - mean);
-            }
-            moments.mean.pixels[p][c] = static_cast<float>(mean);
-            moments.variance.pixels[p][c] = static_cast<float>(sum / (n - 1));
-        }
-    }
-    return moments;
 }
 
 // Is there bias in some pixels, of whatever sign? (m - C)^2 - s^2 / n is 0 on average in each pixel
