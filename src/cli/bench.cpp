@@ -1,10 +1,8 @@
 // sheer bench: the methods' times on one scene, measured in turns.
-//
-// Each round runs every method once (A B C, A B C, ...), so that a machine that slows down or is
-// busy for a while does so for all of them.
 #include "cli/bench.h"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 
 #include <sheer/sheer.h>
@@ -15,16 +13,12 @@
 #include "cli/values.h"
 #include "cli/view_options.h"
 #include "methods/method.h"
-#include "scene/transparency.h"
-#include "support/memory.h"
 #include "support/progress.h"
 #include "support/text.h"
 
 namespace sheer {
 
 namespace {
-
-constexpr const char* kBlend = "blend";
 
 struct BenchRequest {
     SceneOptions scene;
@@ -35,91 +29,41 @@ struct BenchRequest {
     bool json = false;
 };
 
-struct Contenders {
-    std::vector<std::string> methods;
-    std::size_t blend = 0;
-    std::size_t shown = 0;  // the first ones
-};
-
-Contenders choose_contenders(const std::vector<std::string>& methods)
-{
-    Contenders contenders{methods, 0, methods.size()};
-    const auto is_blend = [](const std::string& text) {
-        return check_option("--methods", [&] { return choose_method(text); }).row->id ==
-               std::string(kBlend);
-    };
-    // All are looked at, for their faults.
-    bool found = false;
-    for (std::size_t i = 0; i < methods.size(); ++i) {
-        if (!is_blend(methods[i]) || found) continue;
-        found = true;
-        contenders.blend = i;
-    }
-    if (!found) {
-        contenders.blend = methods.size();
-        contenders.methods.emplace_back(kBlend);
-    }
-    return contenders;
-}
-
-bool has_opaque(const Scene& scene)
-{
-    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
-        return !is_transparent(scene.materials[scene.meshes[object.mesh].material], object);
-    });
-}
-
-Turns take_turns(const Scene& scene, const BenchRequest& request, const Contenders& contenders,
-                 const std::function<void()>& rendered)
-{
-    Turns turns{std::vector<Measurement>(contenders.methods.size()), contenders.blend, false};
-    // The round before the first warms caches, memory and clock up.
-    for (int round = -1; round < request.repeat; ++round) {
-        for (std::size_t i = 0; i < contenders.methods.size(); ++i) {
-            Options options = request.given.options;
-            options.method = contenders.methods[i];
-            reset_peak_memory();
-            Stats stats = render(scene, request.given.view, options).stats;
-            if (round >= 0) turns.measurements[i].rounds.push_back(std::move(stats));
-            turns.measurements[i].shown = i < contenders.shown;
-            rendered();
-        }
-    }
-    turns.has_opaque = has_opaque(scene);
-    return turns;
-}
-
 void run_bench(BenchRequest request)
 {
     for (const int samples : request.samples) {
         request.given.view.samples = samples;
         check_view_options(request.given);
     }
-    const Contenders contenders = choose_contenders(request.methods);
-    const Scene scene = load_scene(request.scene);
+    for (const std::string& method : request.methods) {
+        check_option("--methods", [&] { return choose_method(method); });
+    }
+    Scene scene = load_scene(request.scene);
 
-    std::vector<Turns> all;
+    std::vector<Timing> timings;
     {
         ProgressBar bar("measuring");
-        const double renders =
-            static_cast<double>(request.samples.size() * contenders.methods.size()) *
-            (request.repeat + 1);
-        int done = 0;
-        for (const int samples : request.samples) {
-            request.given.view.samples = samples;
-            all.push_back(
-                take_turns(scene, request, contenders, [&] { bar.update(++done / renders); }));
+        const auto settings = static_cast<double>(request.samples.size());
+        for (std::size_t i = 0; i < request.samples.size(); ++i) {
+            request.given.view.samples = request.samples[i];
+            const auto progress = [&](double part) {
+                bar.update((static_cast<double>(i) + part) / settings);
+            };
+            const Turns turns = take_turns(scene, request.given.view, request.given.options,
+                                           {request.methods, request.repeat, progress});
+            std::ranges::copy(time_methods(turns), std::back_inserter(timings));
         }
     }
     if (request.json) {
-        print(json_text({{"scene", request.scene.source}, {"results", bench_rows(all)}}));
+        print(json_text({{"scene", request.scene.source}, {"results", bench_rows(timings)}}));
         return;
     }
-    const Stats& any = all.front().measurements.front().rounds.front();
+    const Stats& any = timings.front().stats;
     print(one_line(request.scene.source) + ": " + std::to_string(any.width) + "x" +
           std::to_string(any.height) + ", " + counted(any.triangles, "triangle") + ", " +
           counted(any.fragments, "fragment") + ", medians of " +
-          counted(static_cast<std::uint64_t>(request.repeat), "round") + "\n\n" + bench_table(all));
+          counted(static_cast<std::uint64_t>(request.repeat), "round") + "\n\n" +
+          bench_table(timings));
 }
 
 std::vector<std::string> all_methods()
@@ -146,9 +90,11 @@ void add_own_options(CLI::App& command, BenchRequest& request)
 constexpr const char* kMeaning =
     "Every round runs each method once; the numbers are medians over the rounds. Nanoseconds are\n"
     "those of one thread: time x threads / count. 'x blend': total time over that of the method\n"
-    "'blend' in the same round, which runs for this even if it is not listed. 'x base': the same\n"
-    "without the final resolve of both; unknown (-, null) for scenes with opaque surfaces, whose\n"
-    "time would have to be taken off and is not measured apart yet.\n";
+    "'blend' in the same round, which runs for this even if it is not listed. 'x base': total "
+    "time\n"
+    "over the time of one blended pass over the visible transparent geometry with full shading,\n"
+    "which is that of 'blend' without shadow maps, the final resolve, and what opaque surfaces\n"
+    "alone take in the same round. Base of table 1 of Enderton et al., Stochastic Transparency.\n";
 
 }  // namespace
 

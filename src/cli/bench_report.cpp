@@ -1,11 +1,12 @@
-// Medians over the rounds, as a table and as JSON.
+// As tables and as JSON.
 //
 // The times of a stage are sums over threads divided by the number of threads; multiplied by it
 // again they are what one thread would need, and that is what "ns a fragment" counts.
+#include "cli/bench.h"
+
 #include <algorithm>
 #include <limits>
 
-#include "cli/bench.h"
 #include "cli/stats_json.h"
 
 namespace sheer {
@@ -14,129 +15,114 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();  // "-", and null in JSON
 
-double median(std::vector<double> values)
+double ns_per(double ms, const Stats& stats, std::uint64_t count)
 {
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+    return count == 0 ? kNone : ms * 1e6 * stats.threads / static_cast<double>(count);
 }
 
-template <class Value>
-double median_of(const std::vector<Stats>& rounds, Value value)
+double ns_per_triangle(const Stats& stats)
 {
-    std::vector<double> values;
-    for (const Stats& round : rounds) values.push_back(value(round));
-    return median(values);
+    return ns_per(stats.ms_geometry, stats, stats.triangles);
 }
 
-// Round by round, so that what slows the machine for a while slows both.
-template <class Value>
-double median_ratio(const std::vector<Stats>& rounds, const std::vector<Stats>& base, Value value)
+double ns_raster_shade(const Stats& stats)
 {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < rounds.size(); ++i) {
-        ratios.push_back(value(rounds[i]) / value(base[i]));
-    }
-    return median(ratios);
+    return ns_per(stats.ms_raster_shade, stats, stats.fragments);
 }
 
-Stats median_stats(const std::vector<Stats>& rounds)
+double ns_store(const Stats& stats)
 {
-    Stats middle = rounds.back();
-    for (double Stats::*ms : {&Stats::ms_geometry, &Stats::ms_raster_shade, &Stats::ms_store,
-                              &Stats::ms_resolve, &Stats::ms_total}) {
-        middle.*ms = median_of(rounds, [ms](const Stats& round) { return round.*ms; });
-    }
-    for (std::size_t i = 0; i < middle.ms_passes.size(); ++i) {
-        middle.ms_passes[i].ms =
-            median_of(rounds, [i](const Stats& round) { return round.ms_passes[i].ms; });
-    }
-    return middle;
+    return ns_per(stats.ms_store, stats, stats.fragments);
 }
 
-struct Row {
-    Stats stats;  // medians
-    std::size_t repeat;
-    double total_min, total_max;
-    double ns_per_triangle, ns_raster_shade, ns_store;  // the last two: per fragment
-    double mfragments_per_s_per_thread;
-    double ratio_to_blend, ratio_to_base;
-};
-
-Row make_row(const Measurement& measurement, const Turns& turns)
+double mfragments_per_s_per_thread(const Stats& stats)
 {
-    const std::vector<Stats>& rounds = measurement.rounds;
-    const std::vector<Stats>& blend = turns.measurements[turns.blend].rounds;
-    const auto total = [](const Stats& s) { return s.ms_total; };
-    const auto before_resolve = [](const Stats& s) { return s.ms_total - s.ms_resolve; };
-    const auto shorter = [](const Stats& a, const Stats& b) { return a.ms_total < b.ms_total; };
-    const auto [least, most] = std::minmax_element(rounds.begin(), rounds.end(), shorter);
-
-    const Stats stats = median_stats(rounds);
-    const auto fragments = static_cast<double>(stats.fragments);
-    const auto ns_per = [&](double ms, std::uint64_t count) {
-        return count == 0 ? kNone : ms * 1e6 * stats.threads / static_cast<double>(count);
-    };
-    return {
-        .stats = stats,
-        .repeat = rounds.size(),
-        .total_min = least->ms_total,
-        .total_max = most->ms_total,
-        .ns_per_triangle = ns_per(stats.ms_geometry, stats.triangles),
-        .ns_raster_shade = ns_per(stats.ms_raster_shade, stats.fragments),
-        .ns_store = ns_per(stats.ms_store, stats.fragments),
-        .mfragments_per_s_per_thread = fragments / (stats.ms_total * 1e3 * stats.threads),
-        .ratio_to_blend = median_ratio(rounds, blend, total),
-        .ratio_to_base = turns.has_opaque ? kNone : median_ratio(rounds, blend, before_resolve)};
+    return static_cast<double>(stats.fragments) / (stats.ms_total * 1e3 * stats.threads);
 }
 
-std::vector<Row> make_rows(const std::vector<Turns>& all)
+std::string title_of(const Stats& stats)
 {
-    std::vector<Row> rows;
-    for (const Turns& turns : all) {
-        for (const Measurement& measurement : turns.measurements) {
-            if (measurement.shown) rows.push_back(make_row(measurement, turns));
-        }
-    }
-    return rows;
+    return stats.method + (stats.parameters.empty() ? "" : ":") + stats.parameters;
 }
 
-}  // namespace
-
-std::string bench_table(const std::vector<Turns>& all)
+std::string stages_table(const std::vector<Timing>& timings)
 {
     TextTable table{.left = 1, .last_is_prose = false, .rows = {}};
     table.rows = {{"", "", "", "", "total", "", "geometry", "ns a", "raster+shade", "ns a",
                    "store ns", "resolve", "Mfrag./s", "x", "x"},
                   {"method", "S", "threads", "simd", "ms", "min..max", "ms", "triangle", "ms",
                    "fragment", "a fragm.", "ms", "a thread", "blend", "base"}};
-    for (const Row& row : make_rows(all)) {
-        const Stats& s = row.stats;
-        const std::string colon = s.parameters.empty() ? "" : ":";
+    for (const Timing& timing : timings) {
+        const Stats& s = timing.stats;
         table.rows.push_back(
-            {s.method + colon + s.parameters, std::to_string(s.samples), std::to_string(s.threads),
-             s.simd, fixed(s.ms_total, 2), fixed(row.total_min, 2) + ".." + fixed(row.total_max, 2),
-             fixed(s.ms_geometry, 2), fixed(row.ns_per_triangle, 1), fixed(s.ms_raster_shade, 2),
-             fixed(row.ns_raster_shade, 2), fixed(row.ns_store, 2), fixed(s.ms_resolve, 2),
-             fixed(row.mfragments_per_s_per_thread, 1), fixed(row.ratio_to_blend, 2),
-             fixed(row.ratio_to_base, 2)});
+            {title_of(s), std::to_string(s.samples), std::to_string(s.threads), s.simd,
+             fixed(s.ms_total, 2), fixed(timing.total_min, 2) + ".." + fixed(timing.total_max, 2),
+             fixed(s.ms_geometry, 2), fixed(ns_per_triangle(s), 1), fixed(s.ms_raster_shade, 2),
+             fixed(ns_raster_shade(s), 2), fixed(ns_store(s), 2), fixed(s.ms_resolve, 2),
+             fixed(mfragments_per_s_per_thread(s), 1), fixed(timing.ratio_to_blend, 2),
+             fixed(timing.ratio_to_base, 2)});
     }
     return table.text();
 }
 
-Json bench_rows(const std::vector<Turns>& all)
+// The names of all passes, each once, in the order in which methods have them.
+std::vector<std::string> all_passes(const std::vector<Timing>& timings)
+{
+    std::vector<std::string> names;
+    for (const Timing& timing : timings) {
+        for (const PassTime& pass : timing.stats.ms_passes) {
+            if (std::ranges::find(names, pass.name) == names.end()) names.push_back(pass.name);
+        }
+    }
+    return names;
+}
+
+std::string passes_table(const std::vector<Timing>& timings)
+{
+    const std::vector<std::string> names = all_passes(timings);
+    TextTable table{.left = 1, .last_is_prose = false, .rows = {{"ms of passes", "S"}}};
+    std::vector<std::string>& heads = table.rows.front();
+    heads.insert(heads.end(), names.begin(), names.end());
+    heads.insert(heads.end(), {"resolve", "base", "opaque alone"});
+    for (const Timing& timing : timings) {
+        const Stats& s = timing.stats;
+        std::vector<std::string> row = {title_of(s), std::to_string(s.samples)};
+        for (const std::string& name : names) {
+            const auto pass = std::ranges::find(s.ms_passes, name, &PassTime::name);
+            row.push_back(pass == s.ms_passes.end() ? "" : fixed(pass->ms, 2));
+        }
+        row.push_back(fixed(s.ms_resolve, 2));
+        row.push_back(fixed(timing.ms_base, 2));
+        row.push_back(fixed(timing.ms_opaque, 2));
+        table.rows.push_back(row);
+    }
+    return table.text();
+}
+
+}  // namespace
+
+std::string bench_table(const std::vector<Timing>& timings)
+{
+    return stages_table(timings) + "\n" + passes_table(timings);
+}
+
+Json bench_rows(const std::vector<Timing>& timings)
 {
     Json results = Json::array();
-    for (const Row& row : make_rows(all)) {
-        Json json = stats_json(row.stats);
-        json["repeat"] = row.repeat;
-        json["ms_total_min"] = row.total_min;
-        json["ms_total_max"] = row.total_max;
-        json["ns_per_triangle"] = row.ns_per_triangle;
-        json["ns_per_fragment"] = {{"raster_shade", row.ns_raster_shade}, {"store", row.ns_store}};
-        json["mfragments_per_s_per_thread"] = row.mfragments_per_s_per_thread;
-        json["ratio_to_blend"] = row.ratio_to_blend;
-        json["ratio_to_base"] = row.ratio_to_base;
+    for (const Timing& timing : timings) {
+        const Stats& stats = timing.stats;
+        Json json = stats_json(stats);
+        json["repeat"] = timing.rounds;
+        json["ms_total_min"] = timing.total_min;
+        json["ms_total_max"] = timing.total_max;
+        json["ns_per_triangle"] = ns_per_triangle(stats);
+        json["ns_per_fragment"] = {{"raster_shade", ns_raster_shade(stats)},
+                                   {"store", ns_store(stats)}};
+        json["mfragments_per_s_per_thread"] = mfragments_per_s_per_thread(stats);
+        json["ms_base"] = timing.ms_base;
+        json["ms_opaque"] = timing.ms_opaque;
+        json["ratio_to_blend"] = timing.ratio_to_blend;
+        json["ratio_to_base"] = timing.ratio_to_base;
         results.push_back(json);
     }
     return results;

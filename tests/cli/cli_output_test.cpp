@@ -144,8 +144,9 @@ TEST(ToolOutput, BenchGivesARowForEachMethodAndNumberOfSamples)
     ASSERT_EQ(rows.size(), 4u);
     for (std::size_t i = 0; i < 4; ++i) {
         expect_stats(rows[i]);
-        expect_keys(rows[i], {"mfragments_per_s_per_thread", "ratio_to_blend", "ratio_to_base",
-                              "ms_total_min", "ms_total_max", "ns_per_triangle"});
+        expect_keys(rows[i],
+                    {"mfragments_per_s_per_thread", "ratio_to_blend", "ratio_to_base",
+                     "ms_total_min", "ms_total_max", "ns_per_triangle", "ms_base", "ms_opaque"});
         expect_keys(rows[i].at("ns_per_fragment"), {"raster_shade", "store"});
         EXPECT_EQ(rows[i].at("method"), i % 2 == 0 ? "exact" : "none");
         EXPECT_EQ(rows[i].at("samples"), i < 2 ? 1 : 8);
@@ -175,6 +176,30 @@ TEST(ToolOutput, BenchMeasuresEveryMethodUnlessTold)
     }
 }
 
+TEST(ToolOutput, BenchTellsPassesApart)
+{
+    const Tool tool;
+    const Words words = {"bench",         "builtin:hair?strands=2000",
+                         "--methods",     "stochastic:depth-based=on:correction=on",
+                         "--size",        "40x40",
+                         "--shadows",     "stochastic",
+                         "--repeat",      "3",
+                         "--shadow-size", "32"};
+    Words for_programs = words;
+    for_programs.emplace_back("--json");
+    const Json row = json_of(tool, for_programs).at("results").at(0);
+    std::vector<std::string> names;
+    for (const Json& pass : row.at("ms").at("passes")) {
+        names.push_back(pass.at("name"));
+        EXPECT_GT(pass.at("ms"), 0) << pass;
+    }
+    EXPECT_EQ(names, (std::vector<std::string>{"shadow", "fragments", "stochastic depth",
+                                               "accumulation"}));
+    EXPECT_GT(row.at("ms_opaque"), 0);  // skin, eyes and floor
+    const std::string table = output_of(tool, words);
+    for (const std::string& name : names) EXPECT_NE(table.find("  " + name), std::string::npos);
+}
+
 // Nothing covers a pixel of this picture: counts are 0, and what is divided by them is no number.
 TEST(ToolOutput, BenchOfNothingHasNoRates)
 {
@@ -185,6 +210,8 @@ TEST(ToolOutput, BenchOfNothingHasNoRates)
             .at("results");
     EXPECT_EQ(rows.at(0).at("fragments"), 0);
     EXPECT_TRUE(rows.at(0).at("ns_per_fragment").at("store").is_null());
+    EXPECT_TRUE(rows.at(0).at("ms_base").is_null());
+    EXPECT_TRUE(rows.at(0).at("ratio_to_base").is_null());
 }
 
 TEST(ToolOutput, PicturesDoNotDependOnTheMachine)
