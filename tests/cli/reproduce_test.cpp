@@ -23,7 +23,7 @@ TEST(CliReproduce, ListsWhatThereIs)
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const char* name : {"stochastic-examples", "stochastic-bias", "stochastic-visibility",
                              "stochastic-figure-1", "stochastic-figure-2", "stochastic-figure-4",
-                             "stochastic-figure-5", "stochastic-seeding"}) {
+                             "stochastic-figure-5", "stochastic-cost", "stochastic-seeding"}) {
         EXPECT_NE(outcome.out.find(std::string(name) + "  "), std::string::npos) << name;
     }
     const Outcome help = tool.run({"reproduce", "--help"});
@@ -181,6 +181,28 @@ TEST(CliReproduce, MasksAndCorrectionMakeShadowsLessNoisy)
     const std::string csv = text_of(tool.file("out/deep/stochastic-figure-5.csv"));
     EXPECT_TRUE(csv.starts_with("picture,map,rmse,noise,bias,")) << csv;
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+}
+
+TEST(CliReproduce, CostStandsBesideThePapers)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "stochastic-cost");
+    const Json& tables = json["tables"];
+    ASSERT_EQ(tables.size(), 4u);
+    const double paper[] = {3.74, 2.61, 4.05};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(tables[0]["rows"][i]["paper's x base"], paper[i]);
+        EXPECT_GT(tables[0]["rows"][i]["x blend"], 0);
+        const Json& passes = tables[i + 1]["rows"];
+        ASSERT_EQ(passes.size(), 9u);
+        EXPECT_EQ(passes[8]["pass"], "total");
+        EXPECT_EQ(passes[8]["paper's x base"], paper[i]);
+        EXPECT_EQ(passes[8]["ms"], tables[0]["rows"][i]["ms"]);
+        // The motor has no shadows and nothing opaque.
+        EXPECT_EQ(passes[1]["ms"].is_null(), i == 0);
+        EXPECT_EQ(passes[2]["ms"] == 0, i == 0);
+        for (const std::size_t pass : {5, 6}) EXPECT_GT(passes[pass]["ms"], 0) << passes[pass];
+    }
 }
 
 }  // namespace

@@ -14,6 +14,7 @@ Reproduce reproduce_stochastic_figure_1;
 Reproduce reproduce_stochastic_figure_2;
 Reproduce reproduce_stochastic_figure_4;
 Reproduce reproduce_stochastic_figure_5;
+Reproduce reproduce_stochastic_cost;
 Reproduce reproduce_stochastic_seeding;
 
 }  // namespace sheer
