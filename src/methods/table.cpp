@@ -13,11 +13,12 @@ StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method,
 StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
+MethodRow stratified_stochastic_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 7> kTable = {{
+    static const std::array<MethodRow, 8> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -54,6 +55,7 @@ std::span<const MethodRow> method_table()
          .verbs = exact_verbs,
          .colored_verbs = exact_colored_verbs},
         stochastic_row(),
+        stratified_stochastic_row(),
         {.id = "weighted-average",
          .title = "Weighted average: every layer counts alike",
          .citation = "Bavoil and Myers. Order Independent Transparency with Dual Depth Peeling. "

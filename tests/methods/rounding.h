@@ -25,6 +25,7 @@
 // average       the power turns that into 2 n + 1 at most, as n x (1 - x)^(n-1) <= 1; squaring and
 //               multiplying add 2 n: 4 n + 1 for T, which counts with the mean and with B.
 // stochastic    basic: one of its inputs, untouched; of P passes the mean of P, which costs P + 4.
+//               (stratified-stochastic: the same, in one pass.)
 //               Alpha corrected: the mean of those, P + 4, times 1 - T, 2 n + 2, and T B.
 //               Depth-based: two sums of n P terms, 2 (n P + 2), or, uncorrected, one, whose size
 //               is up to n M.
@@ -80,7 +81,7 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         } else if (passes > 1) {
             formula = passes + 4;
         }
-    } else if (id != "none") {
+    } else if (id != "none" && id != "stratified-stochastic") {
         ADD_FAILURE() << "there is no bound for the method '" << id << "'";
     }
     // Both are as far from the same formula, with the weights that they have.

@@ -141,7 +141,7 @@ public:
     }
 
 private:
-    static constexpr int kMostFragments = 4 * kTilePixels;
+    static constexpr int kMostFragments = 16 * kTilePixels;
 
     void fill(const StochasticLayers& layers)
     {

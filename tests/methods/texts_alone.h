@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "methods/fragment_lists.h"
+#include "methods/stratified_alone.h"
 #include "lanes/lone.h"
 
 namespace sheer::test {
@@ -28,6 +29,7 @@ struct Texts {
 #include "sheer/stochastic.glsl"
 #include "sheer/alpha_correction.glsl"
 #include "sheer/stochastic_depth.glsl"
+#include "sheer/stratified_stochastic.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -333,6 +335,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
         return make_alone<L, StochasticDepthAlone>(lists, method);
     }
     if (id == "stochastic") return make_alone<L, StochasticAlone>(lists, method);
+    if (id == "stratified-stochastic") return make_alone<L, StratifiedAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }
 
@@ -355,6 +358,11 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "stochastic:correction=on",
     "stochastic:depth-based=on",
     "stochastic:depth-based=on:correction=on",
+    "stratified-stochastic",
+    "stratified-stochastic:tracking=off:sequence=vegdahl",
+    "stratified-stochastic:dither=morton:sequence=sobol",
+    "stratified-stochastic:sort=off:sequence=random",
+    "stratified-stochastic:compaction=off:sort=off:dither=none",
 };
 
 }  // namespace sheer::test

@@ -125,6 +125,14 @@ private:
             all.push_back({3, method.value("round") == "tile-dither" ? 1u : 0u});
             all.push_back({4, method.value("correction") == "on" ? 1u : 0u});
         }
+        if (id == "stratified-stochastic") {
+            const StratifiedSettings settings = stratified_settings(method);
+            all.push_back({1, settings.tracking ? 1u : 0u});
+            all.push_back({2, settings.compaction ? 1u : 0u});
+            all.push_back({3, settings.sort ? 1u : 0u});
+            all.push_back({4, static_cast<std::uint32_t>(settings.dither)});
+            all.push_back({5, static_cast<std::uint32_t>(settings.sequence)});
+        }
         return all;
     }
 

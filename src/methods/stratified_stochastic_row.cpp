@@ -1,0 +1,62 @@
+// The row of `stratified-stochastic`.
+#include "methods/method.h"
+
+namespace sheer {
+
+StoreVerbs stratified_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+
+namespace {
+
+MethodTraits traits_of(const ChosenMethod& method)
+{
+    MethodTraits traits;
+    traits.bytes_per_sample = 20;
+    traits.bytes_besides = 20;
+    // Of Sobol's sequence the layers know of one another.
+    traits.bias = method.value("sequence") == "sobol" ? Bias::neither : Bias::unbiased;
+    return traits;
+}
+
+std::string refusal(const ChosenMethod& method, int)
+{
+    if (method.value("compaction") == "on" || method.value("sort") == "off") return "";
+    return "compaction=off gives each sample its own number, so that there is nothing to sort: add "
+           "sort=off";
+}
+
+}  // namespace
+
+MethodRow stratified_stochastic_row()
+{
+    MethodRow row{
+        .id = "stratified-stochastic",
+        .title = "Stochastic transparency, stratified over pixels, fragments and layers",
+        .citation = "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011",
+        .parameters =
+            {{"tracking", "on|off", "on",
+              "whether fragments that share no sample of a pixel are taken for one surface"},
+             {"dither", "none|morton|hilbert", "hilbert",
+              "the curve through the pixels along which reference values are stratified; none: "
+              "every pixel has the same"},
+             {"compaction", "on|off", "on",
+              "whether the samples that pass the depth test are numbered without gaps; off: by "
+              "their own index"},
+             {"sort", "on|off", "on",
+              "whether samples are numbered in the order of the depths that they keep"},
+             {"sequence", "paper|vegdahl|sobol|random", "paper",
+              "of reference values: two scrambled ones; Sobol's, biased; independent ones"}},
+        .traits = {},
+        .random = true,
+        .bench_only = false,
+        .verbs = stratified_verbs,
+        .traits_of = traits_of,
+        .refusal = refusal};
+    ChosenMethod standard{&row, {}};
+    for (const Parameter& parameter : row.parameters) {
+        standard.values.emplace_back(parameter.standard);
+    }
+    row.traits = traits_of(standard);
+    return row;
+}
+
+}  // namespace sheer
