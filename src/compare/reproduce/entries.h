@@ -16,5 +16,6 @@ Reproduce reproduce_stochastic_figure_4;
 Reproduce reproduce_stochastic_figure_5;
 Reproduce reproduce_stochastic_cost;
 Reproduce reproduce_stochastic_seeding;
+Reproduce reproduce_stratified_table_1;
 
 }  // namespace sheer

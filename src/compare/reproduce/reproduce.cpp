@@ -14,6 +14,9 @@ namespace {
 constexpr const char* kStochastic =
     "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. IEEE TVCG 17(8), 2011";
 
+constexpr const char* kStratified =
+    "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011";
+
 constexpr ReproduceEntry kEntries[] = {
     {"stochastic-examples", kStochastic,
      "sections 3.1 to 3.4 and 4.1: errors of the worked examples, by every estimator",
@@ -38,6 +41,9 @@ constexpr ReproduceEntry kEntries[] = {
     {"stochastic-seeding", kStochastic,
      "section 6: what noise does in motion, and at edges inside of a surface",
      reproduce_stochastic_seeding},
+    {"stratified-table-1", kStratified,
+     "table 1: errors beside those of basic stochastic transparency, 4 to 64 samples",
+     reproduce_stratified_table_1},
 };
 
 }  // namespace
