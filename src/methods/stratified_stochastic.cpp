@@ -92,13 +92,18 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
     StratifiedSettings settings;
     AlignedArray<Pixel> pixels{kTilePixels};
     AlignedArray<float> farthest{kTilePixels};  // of each pixel: the most depth that a sample keeps
-    AlignedArray<std::uint32_t> reversed{kMaxSamples};  // numbers
+    AlignedArray<std::uint32_t> reversed{kMaxSamples};     // numbers
+    AlignedArray<std::int32_t> is_later{2 * kMaxSamples};  // 0 up to element 63, then 1
+    // Of a run: fragments that may win samples, their open samples, and who takes them.
     AlignedArray<std::uint32_t> candidates{kTilePixels + 16};
+    AlignedArray<std::uint64_t> open_samples{kTilePixels + 1}, taken_numbers{kTilePixels};
 
     explicit StratifiedTile(const StoreShape& shape)
         : Base(shape), set(*shape.samples), settings(stratified_settings(*shape.method))
     {
         for (std::uint32_t n = 0; n < kMaxSamples; ++n) reversed[n] = LoneText::reversed_bits(n);
+        std::fill_n(is_later.data(), 64, 0);
+        std::fill_n(is_later.data() + 64, 64, 1);
     }
 
     void clear(const TilePlace& place)
@@ -123,15 +128,15 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
     }
     HWY_INLINE Block::whole places_of(const TilePlace& place, std::uint32_t pixel) const
     {
-        using Text = StratifiedText<Block>;
-        using whole = Block::whole;
-        const whole numbers = Block::iota() + whole(pixel);
-        const whole x = whole(place.x) + (numbers & whole(kTileSize - 1));
-        const whole y = whole(place.y) + (numbers >> kTileBits);
-        const whole index = settings.dither == Dither::hilbert  ? Text::hilbert_index(x, y)
-                            : settings.dither == Dither::morton ? Text::morton_index(x, y)
-                                                                : whole(0);
-        return Text::reversed_bits(index * whole(set.count));
+        using Curves = StratifiedText<Block>;
+        using Whole = Block::whole;
+        const Whole numbers = Block::iota() + Whole(pixel);
+        const Whole x = Whole(place.x) + (numbers & Whole(kTileSize - 1));
+        const Whole y = Whole(place.y) + (numbers >> kTileBits);
+        const Whole index = settings.dither == Dither::hilbert  ? Curves::hilbert_index(x, y)
+                            : settings.dither == Dither::morton ? Curves::morton_index(x, y)
+                                                                : Whole(0);
+        return Curves::reversed_bits(index * Whole(set.count));
     }
 
     void insert(const FragmentStream& f, int)
@@ -147,9 +152,14 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
         }
     }
 
+    // Up to so many samples doing for all of them costs less than asking which of them need it.
+    static constexpr int kFew = 8;
+
     template <int Samples>
     static constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
 
+    // Step by step for all of a run's fragments: they are in different pixels, so that a processor
+    // may work at several of them at once.
     template <int Samples>
     void insert_all(const FragmentStream& f)
     {
@@ -159,10 +169,10 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
             for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
                 offset[b] = sample_depth_offset<L>(run.depth, set, b * L::kCount);
             }
-            const std::size_t count = collect(f, run);
-            for (std::size_t k = 0; k < count; ++k) {
-                insert_one<Samples>(f, run, offset, candidates[k]);
-            }
+            std::size_t count = collect(f, run);
+            count = find_open<Samples>(f, run, offset, count);
+            for (std::size_t k = 0; k < count; ++k) draw<Samples>(f, k);
+            for (std::size_t k = 0; k < count; ++k) place<Samples>(f, run, offset, k);
         }
     }
 
@@ -194,36 +204,78 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
         return count;
     }
 
+    // Leaves the candidates that have open samples: those that they cover and where they are nearer
+    // than what is kept. Returns their number.
     template <int Samples>
-    HWY_INLINE void insert_one(const FragmentStream& f, const FragmentRun& run, const real* offset,
-                               std::size_t i)
+    HWY_INLINE std::size_t find_open(const FragmentStream& f, const FragmentRun& run,
+                                     const real* offset, std::size_t count)
     {
-        const std::size_t pixel = f.pixel[i];
-        float* at = this->values() + Method::kChannels * pixel * Samples;
+        std::size_t left = 0;
         Store fragment;
         fragment.id = whole(run.primitive);
-        real stored[kBlocks<Samples>], depth[kBlocks<Samples>];
-        std::uint64_t open = 0;
-        for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
-            const std::size_t s = b * L::kCount;
-            Store store;
-            store.depth = stored[b] = real::load(at + s);
-            store.id = whole::bits_of(real::load(at + Samples + s));
-            fragment.depth = depth[b] = sample_depth<L>(run.depth, offset[b], f.depth[i]);
-            const auto nearer = Text::stochastic_nearer(store, fragment);
-            open |= static_cast<std::uint64_t>(nearer.bits()) << s;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t i = candidates[k];
+            const float* at = this->values() + Method::kChannels * f.pixel[i] * Samples;
+            std::uint64_t nearer = 0;
+            for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
+                const std::size_t s = b * L::kCount;
+                Store store;
+                store.depth = real::load(at + s);
+                store.id = whole::bits_of(real::load(at + Samples + s));
+                fragment.depth = sample_depth<L>(run.depth, offset[b], f.depth[i]);
+                const auto of_block = Text::stochastic_nearer(store, fragment);
+                nearer |= static_cast<std::uint64_t>(of_block.bits()) << s;
+            }
+            candidates[left] = static_cast<std::uint32_t>(i);
+            open_samples[left] = nearer & (Samples > 32 ? f.sample_bits(i) : f.samples[i]);
+            left += open_samples[left] != 0;
         }
-        open &= Samples > 32 ? f.sample_bits(i) : f.samples[i];
-        if (open == 0) return;
-        const std::uint64_t taken = taken_of<Samples>(pixels[pixel], open, f.opacity[i], stored);
-        if (taken == 0) return;
+        return left;
+    }
+
+    // Which of the numbers that candidate k's open samples get take them: bit by bit, from the
+    // first on.
+    template <int Samples>
+    HWY_INLINE void draw(const FragmentStream& f, std::size_t k)
+    {
+        const std::size_t i = candidates[k];
+        Pixel& pixel = pixels[f.pixel[i]];
+        const std::uint32_t first = LoneText::stratified_begin(
+            pixel.surface, static_cast<std::uint32_t>(open_samples[k]),
+            Samples > 32 ? static_cast<std::uint32_t>(open_samples[k] >> 32) : 0,
+            settings.tracking);
+        const auto count = static_cast<std::uint32_t>(std::popcount(open_samples[k]));
+        const std::uint32_t end = settings.compaction ? first + count : Samples;
+        taken_numbers[k] = outcomes<Samples>(pixel, f.opacity[i], end);
+        if (settings.compaction)
+            taken_numbers[k] = taken_numbers[k] >> first & ((2ull << (count - 1)) - 1);
+    }
+
+    template <int Samples>
+    HWY_INLINE void place(const FragmentStream& f, const FragmentRun& run, const real* offset,
+                          std::size_t k)
+    {
+        if (taken_numbers[k] == 0) return;
+        const std::size_t i = candidates[k], pixel = f.pixel[i];
+        float* at = this->values() + Method::kChannels * pixel * Samples;
+        std::uint64_t taken = 0;
+        if (!settings.compaction) {
+            taken = taken_numbers[k] & open_samples[k];
+        } else if (settings.sort && Samples > 1) {
+            taken = by_depth<Samples>(taken_numbers[k], open_samples[k], at);
+        } else {
+            taken = in_turn(taken_numbers[k], open_samples[k]);
+        }
+        Store fragment;
+        fragment.id = whole(run.primitive);
         fragment.color = color_of<Text>(f, i);
         real most;
         for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
             const std::size_t s = b * L::kCount;
             const auto stays = !L::mask_of_bits(static_cast<std::uint32_t>(taken >> s));
+            fragment.depth = sample_depth<L>(run.depth, offset[b], f.depth[i]);
             Store store = Method::load(at + s, Samples);
-            store.depth = L::select(stays, stored[b], depth[b]);
+            store.depth = L::select(stays, store.depth, fragment.depth);
             store.id = L::select(stays, store.id, fragment.id);
             store.color = Text::select(stays, store.color, fragment.color);
             Method::save(store, at + s, Samples);
@@ -232,27 +284,12 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
         farthest[pixel] = most.greatest();
     }
 
-    // Of the open samples, of which each keeps a depth.
-    template <int Samples>
-    HWY_INLINE std::uint64_t taken_of(Pixel& pixel, std::uint64_t open, float opacity,
-                                      const real* stored) const
-    {
-        const std::uint32_t first = LoneText::stratified_begin(
-            pixel.surface, static_cast<std::uint32_t>(open),
-            Samples > 32 ? static_cast<std::uint32_t>(open >> 32) : 0, settings.tracking);
-        if (!settings.compaction) return open & outcomes<Samples>(pixel, opacity, Samples);
-        const auto count = static_cast<std::uint32_t>(std::popcount(open));
-        const std::uint64_t all = ~0ull >> (64 - count);
-        const std::uint64_t takes = outcomes<Samples>(pixel, opacity, first + count) >> first & all;
-        if (takes == 0 || takes == all) return takes == 0 ? 0 : open;
-        return settings.sort ? by_depth<Samples>(takes, open, stored) : in_turn(takes, open);
-    }
-
     // Whether numbers 0 to `end` - 1, and perhaps some more, take their samples: bit by bit.
     template <int Samples>
     HWY_INLINE std::uint64_t outcomes(const Pixel& pixel, float opacity, std::uint32_t end) const
     {
         std::uint64_t bits = 0;
+        if (Samples <= L::kCount) end = Samples;  // one vector
         for (std::size_t n = 0; n < end; n += L::kCount) {
             const whole numbers = whole::load(reversed.data() + n) + whole(pixel.place);
             const whole reference = Text::reference_bits(static_cast<int>(settings.sequence),
@@ -263,47 +300,67 @@ struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
         return bits;
     }
 
-    // Bit i of `takes` for the i-th open sample.
-    static std::uint64_t in_turn(std::uint64_t takes, std::uint64_t open)
+    // Bit i of `numbers` for the i-th sample of `among`.
+    static std::uint64_t in_turn(std::uint64_t numbers, std::uint64_t among)
     {
         std::uint64_t taken = 0;
-        for (; open != 0; open &= open - 1, takes >>= 1) {
-            if ((takes & 1) != 0) taken |= open & (0 - open);
+        for (; among != 0; among &= among - 1, numbers >>= 1) {
+            if ((numbers & 1) != 0) taken |= among & (0 - among);
         }
         return taken;
     }
 
-    // Bit i of `takes` for the open sample before which, by depth, are i others. Counting them
-    // costs less than sorting, for half of the fragments have few open samples.
+    // Bit i of `numbers` for the sample of `among` before which, as stratified_before has it, are i
+    // others. They are counted, which costs less than sorting.
     template <int Samples>
-    HWY_INLINE std::uint64_t by_depth(std::uint64_t takes, std::uint64_t open,
-                                      const real* stored) const
+    HWY_INLINE std::uint64_t by_depth(std::uint64_t numbers, std::uint64_t among,
+                                      const float* stored) const
     {
-        alignas(64) float depths[kBlocks<Samples> * L::kCount];
-        whole before[kBlocks<Samples>];
+        constexpr int kBeyond = 0x7fffffff;
+        alignas(64) std::int32_t keys[kBlocks<Samples> * L::kCount];
+        whole key[kBlocks<Samples>], left[kBlocks<Samples>];
         for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
-            stored[b].store(depths + b * L::kCount);
-            before[b] = whole(0);
+            const std::size_t s = b * L::kCount;
+            const auto is_open = L::mask_of_bits(static_cast<std::uint32_t>(among >> s));
+            key[b] = L::select(is_open, ordered(real::load(stored + s)), whole(kBeyond));
+            key[b].store(keys + s);
+            left[b] = whole(31);
         }
-        for (std::uint64_t rest = open; rest != 0; rest &= rest - 1) {
-            const int s = std::countr_zero(rest);
-            const real depth(depths[s]);
+        const auto count_one = [&](std::size_t t) HWY_ATTR {
+            const whole of_t(keys[t]);
             for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
-                const whole samples = L::iota() + whole(static_cast<std::int32_t>(b * L::kCount));
-                const auto sooner = Text::stratified_before(depth, whole(s), stored[b], samples);
-                before[b] = before[b] + L::zero_unless(sooner, whole(1));
+                // Of equal depths the smaller sample is sooner.
+                const whole least = of_t - whole::load(is_later.data() + 63 - t + b * L::kCount);
+                left[b] = left[b] - L::zero_unless(least < key[b], whole(1));
+            }
+        };
+        if constexpr (Samples <= kFew) {
+            for (std::size_t t = 0; t < Samples; ++t) count_one(t);
+        } else {
+            for (std::uint64_t rest = among; rest != 0; rest &= rest - 1) {
+                count_one(static_cast<std::size_t>(std::countr_zero(rest)));
             }
         }
         std::uint64_t taken = 0;
-        const whole low(static_cast<std::uint32_t>(takes));
-        const whole high(static_cast<std::uint32_t>(takes >> 32));
+        const whole low(static_cast<std::uint32_t>(numbers));
+        const whole high(static_cast<std::uint32_t>(numbers >> 32));
         for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
-            // Of samples that are not open `before` may be S.
-            const whole word = Samples > 32 ? L::select(before[b] < whole(32), low, high) : low;
-            const whole bit = word << (whole(31) - (before[b] & whole(31)));
+            whole bit;
+            if constexpr (Samples > 32) {
+                const whole word = L::select(left[b] < whole(0), high, low);
+                bit = word << (left[b] & whole(31));
+            } else {
+                bit = low << left[b];
+            }
             taken |= static_cast<std::uint64_t>(bit.sign_bits()) << (b * L::kCount);
         }
-        return taken & open;
+        return taken & among;
+    }
+    // Whole numbers in the order of depths.
+    static HWY_INLINE whole ordered(real depth)
+    {
+        const whole bits = whole::bits_of(depth + real(0.0f));  // -0 becomes 0
+        return bits ^ L::zero_unless(bits < whole(0), whole(0x7fffffff));
     }
 
 private:
