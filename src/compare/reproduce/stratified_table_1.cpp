@@ -57,7 +57,7 @@ constexpr Part kParts[] = {
 class Measuring {
 public:
     explicit Measuring(const ReproduceJob& job)
-        : job_(job), side_(job.quick ? 100 : 500), seeds_(job.quick ? 2 : 8)
+        : job_(job), side_(job.quick ? 100 : 500), seeds_(job.quick ? 1 : 2)
     {
     }
     int side() const { return side_; }
