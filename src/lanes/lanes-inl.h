@@ -103,7 +103,13 @@ struct Lanes {
         }
         friend HWY_ATTR HWY_INLINE whole operator<<(whole a, whole bits)
         {
-            return hn::Shl(a.v, bits.v);  // below 32
+            // Below 32. Of one lane Highway takes 64 bits for the count, half of them of no lane.
+            if constexpr (kCount == 1) {
+                const auto count = static_cast<std::uint32_t>(hn::GetLane(bits.v));
+                return whole(static_cast<std::uint32_t>(hn::GetLane(a.v)) << count);
+            } else {
+                return hn::Shl(a.v, bits.v);
+            }
         }
         friend HWY_ATTR HWY_INLINE mask operator<(whole a, whole b)
         {

@@ -138,6 +138,19 @@ TEST(CliReproduce, VisibilityHasItsBands)
     }
 }
 
+// 4 of 16 samples wherever the paper says so, and any number elsewhere.
+TEST(CliReproduce, FartherSurfaceHasItsShare)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "stratified-figure-5");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 5u);
+    for (const Json& row : rows) {
+        const bool always = row["paper"] == "4";
+        EXPECT_EQ(row["least"] == 4 && row["most"] == 4, always) << row;
+    }
+}
+
 TEST(CliReproduce, MoreSamplesHaveLessNoise)
 {
     const Tool tool;

@@ -200,5 +200,30 @@ TEST(StratifiedStore, PixelsAreThoseOfThePictureInEveryTile)
     EXPECT_EQ(other, 0);
 }
 
+// Threads and vectors do not show, although the order of the fragments does.
+TEST(StratifiedStore, OneSeedOnePicture)
+{
+    const Scene scene = load("builtin:quads");
+    View view;
+    view.width = 80;
+    view.height = 70;
+    for (const int samples : {1, 8, 64}) {
+        view.samples = samples;
+        Options options;
+        options.method = "stratified-stochastic";
+        options.accumulate = 2;
+        options.threads = 1;
+        options.simd = Simd::scalar;
+        const Image expected = render(scene, view, options).image;
+        for (const Simd level : simd_levels()) {
+            for (const int threads : {1, 2, 7}) {
+                options.simd = level;
+                options.threads = threads;
+                EXPECT_EQ(render(scene, view, options).image.pixels, expected.pixels) << threads;
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace sheer::test

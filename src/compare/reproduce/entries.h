@@ -17,5 +17,6 @@ Reproduce reproduce_stochastic_figure_5;
 Reproduce reproduce_stochastic_cost;
 Reproduce reproduce_stochastic_seeding;
 Reproduce reproduce_stratified_table_1;
+Reproduce reproduce_stratified_figure_5;
 
 }  // namespace sheer

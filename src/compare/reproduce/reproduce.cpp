@@ -44,6 +44,9 @@ constexpr ReproduceEntry kEntries[] = {
     {"stratified-table-1", kStratified,
      "table 1: errors beside those of basic stochastic transparency, 4 to 64 samples",
      reproduce_stratified_table_1},
+    {"stratified-figure-5", kStratified,
+     "figure 5: samples of the farther of two surfaces, by what is stratified",
+     reproduce_stratified_figure_5},
 };
 
 }  // namespace
