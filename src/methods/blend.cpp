@@ -53,11 +53,11 @@ template <int S>
 struct BlendTile : SampleStore<S, BlendMethod<S>> {
     using Base = SampleStore<S, BlendMethod<S>>;
     using Base::Base;
+    using typename Base::real;
     using typename Base::Text;
 
     void insert(const FragmentStream& f, int)
     {
-        using real = typename Base::real;
         this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
             return Text::blend_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]));
         });

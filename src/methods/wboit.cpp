@@ -54,6 +54,7 @@ struct WboitMethod {
 template <int S>
 struct WboitTile : SampleStore<S, WboitMethod<S>> {
     using Base = SampleStore<S, WboitMethod<S>>;
+    using typename Base::real;
     using typename Base::Text;
     using Block = Lanes<16>;  // of fragments
 
@@ -77,7 +78,6 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
     void insert(const FragmentStream& f, int)
     {
         weigh(f);
-        using real = typename Base::real;
         this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
             return Text::wboit_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]),
                                       real(weights[i]));

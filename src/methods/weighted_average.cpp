@@ -52,11 +52,11 @@ template <int S>
 struct WeightedAverageTile : SampleStore<S, WeightedAverageMethod<S>> {
     using Base = SampleStore<S, WeightedAverageMethod<S>>;
     using Base::Base;
+    using typename Base::real;
     using typename Base::Text;
 
     void insert(const FragmentStream& f, int)
     {
-        using real = typename Base::real;
         this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
             return Text::weighted_average_insert(store, covered, color_of<Text>(f, i),
                                                  real(f.opacity[i]));
