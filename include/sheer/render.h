@@ -73,8 +73,8 @@ enum class Simd { best, scalar, sse4, avx2, avx512, neon };
 // Stochastic Transparency. A few frames measure the variance around each pixel and are thrown away;
 // those that count have random numbers of their own, so that choosing does not bias.
 struct AdaptiveFrames {
-    // Standard deviation of a pixel's channel, linear colour times 255: frames are added until it
-    // is not exceeded. 0: off.
+    // Standard deviation of a pixel's channel that is aimed at, linear colour times 255: as many
+    // frames as what the first few measured asks for. 0: off.
     float noise_target = 0;
     // Frames a pixel on average, 6 to 100,000, shared out in proportion to the deviation. 0: off.
     // Not both.
@@ -97,8 +97,8 @@ struct Options {
     int threads = 0;               // 0: all that the machine has
     Simd simd = Simd::best;
     std::uint64_t seed = 0;
-    // Pictures to average, each with random numbers of its own, 1 to 1,000,000; for a method
-    // without random numbers one is enough, and one is drawn.
+    // Pictures to average, each with random numbers of its own, 1 to 1,000,000; where neither
+    // method nor shadows are random one is enough, and one is drawn.
     int accumulate = 1;
     AdaptiveFrames adaptive;  // instead of `accumulate`
     PostFilter post_filter;

@@ -237,7 +237,7 @@ void check_noise(const AdaptiveFrames& adaptive, const PostFilter& filter)
     check_part("noise-target", adaptive.noise_target, 0, 1e6f);
     if (adaptive.budget != 0) check_part("frame-budget", adaptive.budget, 6, 100'000);
     if (adaptive.noise_target > 0 && adaptive.budget > 0) {
-        refuse("noise-target and frame-budget: only one of them says how many frames there are");
+        refuse("frame-budget: noise-target says already how many frames there are");
     }
     check_whole("most-frames", adaptive.most, 1, 65'535);
     check_part("post-filter: sigma-s", filter.sigma_s, 0.1f, 5);

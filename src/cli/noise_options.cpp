@@ -44,8 +44,9 @@ void add_noise_options(CLI::App& command, Options& options)
               })
         ->group(group);
     add_value(command, "--noise-target", "E",
-              "Frames where they are needed, until no pixel's standard\n"
-              "deviation is above E, in 1/255 of linear colour",
+              "As many frames as each pixel needs for a standard deviation\n"
+              "of E, in 1/255 of linear colour, estimated from 4 frames of\n"
+              "the pixels around it",
               [&adaptive](auto& option, auto& text) {
                   adaptive.noise_target = parse_float(option, text);
               })

@@ -103,7 +103,8 @@ std::vector<std::uint16_t> share_frames(const AdaptiveFrames& adaptive, const Im
     return counts;
 }
 
-std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view, const Options& options)
+std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view, const Options& options,
+                                       Stats& pilots)
 {
     Take take{.method = choose_method(options.method), .keys = {}, .variance = true};
     // Another seed than that of the frames that count.
@@ -111,8 +112,9 @@ std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view, con
     Options quiet = options;
     quiet.channels = false;
     quiet.progress = {};
-    const FrameTakes pilots = render_takes(scene, view, quiet, {{&take, 1}});
-    return share_frames(options.adaptive, pilots.frames[0].variance, pilots.frames[0].image);
+    const FrameTakes drawn = render_takes(scene, view, quiet, {{&take, 1}});
+    pilots = drawn.frames[0].stats;
+    return share_frames(options.adaptive, drawn.frames[0].variance, drawn.frames[0].image);
 }
 
 double mean_frames(const Take& take)

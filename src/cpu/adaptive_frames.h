@@ -13,9 +13,10 @@ namespace sheer {
 // Frames that measure the variance and are not shown.
 inline constexpr int kPilotFrames = 4;
 
-// Of each pixel, row by row, from pilot frames; options.adaptive asks for them.
-std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view,
-                                       const Options& options);
+// Of each pixel, row by row, from pilot frames, whose times `pilots` gets; options.adaptive asks
+// for them.
+std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view, const Options& options,
+                                       Stats& pilots);
 
 // The same from what the pilots gave: the variance of one frame's pixels, and their mean, which
 // `relative` looks at. Variances are averaged over 5x5 pixels first: of so few frames each pixel's

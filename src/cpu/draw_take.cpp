@@ -18,6 +18,21 @@ void write_tile(const PixelRect& interior, Image& image, Value&& value)
     }
 }
 
+void write_apart(const TileGrid& grid, const PixelRect& interior, const TilePicture& picture,
+                 TakeFrame& frame)
+{
+    write_tile(interior, frame.image,
+               [&](std::size_t p, std::size_t c) { return picture.color(p, c); });
+    if (frame.fraction.empty()) return;
+    std::size_t i = 0;
+    for (int y = interior.y0; y < interior.y1; ++y) {
+        for (int x = interior.x0; x < interior.x1; ++x, ++i) {
+            frame.fraction[static_cast<std::size_t>(y) * static_cast<std::size_t>(grid.width) +
+                           static_cast<std::size_t>(x)] = picture.fraction(i);
+        }
+    }
+}
+
 // Pixels that have frames left after `drawn` of them: of the picture's interior, and of the tile as
 // far as the filter reaches around those.
 struct Unfinished {
@@ -101,8 +116,12 @@ void draw_take(const FrameJob& job, std::size_t number, TileSetting& setting, Wo
     worker.mean.clear();
     (take.frames_of_pixels.empty() ? draw_evenly : draw_unevenly)(job, take, setting, worker,
                                                                   worker.stores[number]);
-    write_tile(interior, frame.image,
-               [&](std::size_t p, std::size_t c) { return worker.mean.mean(p, c); });
+    if (take.apart) {
+        write_apart(job.grid, interior, worker.picture, frame);
+    } else {
+        write_tile(interior, frame.image,
+                   [&](std::size_t p, std::size_t c) { return worker.mean.mean(p, c); });
+    }
     if (take.variance) {
         write_tile(interior, frame.variance,
                    [&](std::size_t p, std::size_t c) { return worker.mean.variance(p, c); });

@@ -122,9 +122,12 @@ void make_images(const FrameJob& job, bool channels, FrameTakes& result)
 {
     const int width = job.grid.width, height = job.grid.height;
     for (const Take& take : job.takes) {
-        result.frames.push_back({Image(width, height), {}, {}, {}});
+        result.frames.push_back({Image(width, height), {}, {}, {}, {}});
         if (take.variance) result.frames.back().variance = Image(width, height);
         if (take.transparent) result.frames.back().transparent = Image(width, height);
+        if (take.apart && take.method.traits().divides) {
+            result.frames.back().fraction.resize(result.frames.back().image.pixels.size());
+        }
     }
     if (!channels) return;
     const std::vector<float> none(static_cast<std::size_t>(width) *

@@ -1,6 +1,7 @@
 // Frames on the CPU.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct Take {
     // Of one picture: how many of the keys each pixel's frames are, 1 at least; empty: all.
     std::vector<std::uint16_t> frames_of_pixels = {};
     bool transparent = false;  // TakeFrame::transparent is wanted; of one picture
+    bool apart = false;        // TakeFrame::fraction is wanted, and not part of the image
 };
 
 struct TakeFrame {
@@ -27,6 +29,9 @@ struct TakeFrame {
     Image variance;  // of the pictures, divided by their number less 1; empty if not wanted
     // Of a method that divides: what it adds to the dimmed background, and total alpha.
     Image transparent;
+    // Of such a method, of each pixel: a sum of colours, its weight and total alpha, not divided
+    // yet.
+    std::vector<std::array<float, 5>> fraction;
     Stats stats;
 };
 

@@ -104,6 +104,7 @@ MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::u
     for (const Take& take : job.takes) {
         // The post filter makes one of the transparent part, and needs that.
         needs.pictures += (take.variance ? 2u : 1u) + (take.transparent ? 2u : 0u);
+        if (take.apart && take.method.traits().divides) needs.pictures += 2;  // 20 bytes a pixel
         if (!take.method.traits().bounded) ++needs.growing_stores;
     }
     return plan_memory(needs);

@@ -1,6 +1,8 @@
 // Times are those of the threads, divided by their number.
 #include "cpu/frame_stats.h"
 
+#include <algorithm>
+
 #include <utility>
 
 namespace sheer {
@@ -47,7 +49,7 @@ void add_times(const Stats& one, Stats& sum)
     for (std::size_t i = 0; i < sum.ms_passes.size(); ++i) {
         sum.ms_passes[i].ms += one.ms_passes[i].ms;
     }
-    sum.peak_memory_bytes = one.peak_memory_bytes;
+    sum.peak_memory_bytes = std::max(sum.peak_memory_bytes, one.peak_memory_bytes);
 }
 
 Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number, Stats common)

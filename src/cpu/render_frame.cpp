@@ -6,9 +6,9 @@
 
 #include "cpu/adaptive_frames.h"
 #include "cpu/frame.h"
+#include "cpu/frame_sums.h"
 #include "cpu/frame_stats.h"
 #include "cpu/post_filter.h"
-#include "cpu/tile_mean.h"
 #include "support/memory.h"
 
 namespace sheer {
@@ -27,13 +27,11 @@ Take make_take(const Options& options)
     return take;
 }
 
-// The take's frames, which begin with number `first` of the seed's sequence.
-Frame draw_frames(const Scene& scene, const View& view, const Options& options, Take take,
-                  int first)
+// The take's frames, all with the same shadows, as pictures.
+Frame draw_frames(const Scene& scene, const View& view, const Options& options, Take take)
 {
-    for (int i = 0; i < take.frames; ++i) take.keys.push_back(frame_key(options.seed, first + i));
-    FrameTakes result =
-        render_takes(scene, view, options, {.takes = {&take, 1}, .shadow_frame = first});
+    for (int i = 0; i < take.frames; ++i) take.keys.push_back(frame_key(options.seed, i));
+    FrameTakes result = render_takes(scene, view, options, {.takes = {&take, 1}});
     TakeFrame& frame = result.frames.front();
     if (take.transparent) {
         apply_post_filter(options.post_filter, frame.transparent, options.threads, frame.image);
@@ -46,10 +44,12 @@ Frame draw_frames(const Scene& scene, const View& view, const Options& options, 
 Frame draw_adaptively(const Scene& scene, const View& view, const Options& options)
 {
     Take take = make_take(options);
-    take.frames_of_pixels = plan_frames(scene, view, options);
+    Stats pilots;
+    take.frames_of_pixels = plan_frames(scene, view, options, pilots);
     take.frames = *std::max_element(take.frames_of_pixels.begin(), take.frames_of_pixels.end());
-    Frame frame = draw_frames(scene, view, options, std::move(take), 0);
+    Frame frame = draw_frames(scene, view, options, std::move(take));
     frame.stats.frames_per_pixel += kPilotFrames;
+    add_times(pilots, frame.stats);
     return frame;
 }
 
@@ -57,25 +57,35 @@ Frame draw_adaptively(const Scene& scene, const View& view, const Options& optio
 // one by one.
 Frame draw_one_by_one(const Scene& scene, const View& view, const Options& options)
 {
+    const Take prepared = make_take(options);
+    const std::uint64_t sums_bytes = FrameSums::bytes(view, prepared.method.traits().divides);
     Frame all;
-    TileMean<4> mean;
+    FrameSums sums;
     for (int i = 0; i < options.accumulate; ++i) {
         Options one = options;
         one.channels = options.channels && i == 0;
         one.progress = [&, i](double part) {
             if (options.progress) options.progress((i + part) / options.accumulate);
         };
-        Frame frame = draw_frames(scene, view, one, make_take(one), i);
-        mean.add(frame.image.pixels);
+        Take take = prepared;
+        take.keys = {frame_key(options.seed, i)};
+        take.transparent = false;
+        take.apart = true;
+        FrameTakes result = render_takes(scene, view, one, {{&take, 1}, {}, sums_bytes, i});
+        TakeFrame& frame = result.frames.front();
+        sums.add(frame);
         if (i == 0) {
-            all = std::move(frame);
+            if (result.channels) result.channels->frames = frames_channel(take, view);
+            all = {std::move(frame.image), std::move(frame.stats), std::move(result.channels)};
         } else {
             add_times(frame.stats, all.stats);
         }
     }
     all.stats.frames_per_pixel = options.accumulate;
-    for (std::size_t i = 0; i < mean.size(); ++i) {
-        for (std::size_t c = 0; c < 4; ++c) all.image.pixels[i][c] = mean.mean(i, c);
+    Image transparent;
+    sums.finish(all.image, transparent);
+    if (prepared.transparent) {
+        apply_post_filter(options.post_filter, transparent, options.threads, all.image);
     }
     return all;
 }
@@ -93,7 +103,7 @@ Frame render_frame(const Scene& scene, const View& view, const Options& options)
             return draw_one_by_one(scene, view, options);
         }
         if (random) take.frames = options.accumulate;
-        return draw_frames(scene, view, options, std::move(take), 0);
+        return draw_frames(scene, view, options, std::move(take));
     };
     Frame frame = draw();
     if (options.memory_limit != 0) release_free_memory();

@@ -1,8 +1,8 @@
 // One picture of a tile, from one frame or several.
 #pragma once
 
+#include "cpu/quotient.h"
 #include "cpu/tile_mean.h"
-#include "lanes/lone.h"
 
 namespace sheer {
 
@@ -33,7 +33,7 @@ public:
     {
         pixels_.resize(colors_.size());
         for (std::size_t i = 0; i < colors_.size(); ++i) {
-            for (std::size_t c = 0; c < 4; ++c) pixels_[i][c] = colors_.mean(i, c);
+            for (std::size_t c = 0; c < 4; ++c) pixels_[i][c] = color(i, c);
             if (!divides_) continue;
             const Float4 added = transparent(i);
             for (std::size_t c = 0; c < 3; ++c) pixels_[i][c] += added[c];
@@ -41,22 +41,19 @@ public:
         return pixels_;
     }
 
-    // Of a method that divides: what is added to the dimmed background, and total alpha.
-    Float4 transparent(std::size_t i) const
+    // Without what a method divides.
+    float color(std::size_t i, std::size_t c) const { return colors_.mean(i, c); }
+
+    // Of a method that divides.
+    std::array<float, 5> fraction(std::size_t i) const
     {
-        const auto mean = [&](std::size_t c) { return fraction_.mean(i, c); };
-        const Text::real3 corrected =
-            Text::alpha_corrected({mean(0), mean(1), mean(2)}, mean(3), mean(4));
-        return {corrected.x, corrected.y, corrected.z, mean(4)};
+        std::array<float, 5> mean;
+        for (std::size_t c = 0; c < 5; ++c) mean[c] = fraction_.mean(i, c);
+        return mean;
     }
+    Float4 transparent(std::size_t i) const { return quotient(fraction(i)); }
 
 private:
-    struct Text {
-        using L = Lone<float>;
-#include "lanes/text_words.h"
-#include "sheer/alpha_correction.glsl"
-    };
-
     bool divides_ = false;
     TileMean<4> colors_;
     TileMean<5> fraction_;

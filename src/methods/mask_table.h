@@ -8,13 +8,14 @@
 
 namespace sheer {
 
-// Masks by their index; 8 MB each.
+// Masks by their index: 8 MB, 16 MB for more than 32 samples.
 struct MaskTable {
     std::vector<std::uint32_t> low;
     std::vector<std::uint32_t> high;  // samples 32 to 63, if there are any
 };
 
-// Made once for all stores that use it at the same time. 1 to 64 samples.
+// 1 to 64 samples. Made once for all stores that use it at the same time; the latest is kept, for
+// the next frame.
 std::shared_ptr<const MaskTable> mask_table(int samples);
 
 }  // namespace sheer

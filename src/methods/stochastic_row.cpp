@@ -56,6 +56,9 @@ std::string refusal(const ChosenMethod& method, int samples)
                " samples each are stratified together up to 64; pass-masks=independent has no "
                "such limit";
     }
+    if (method.value("round") == "tile-dither" && method.value("masks") != "stratified") {
+        return "round=tile-dither is for masks=stratified; the others round no number of samples";
+    }
     if (method.value("depth-test") == "after") return "";
     if (method.value("masks") == "table") {
         return "depth-test=before draws from the samples that are left, which masks=table can't";

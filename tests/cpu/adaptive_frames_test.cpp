@@ -8,6 +8,7 @@
 #include <sheer/sheer.h>
 
 #include "cpu/adaptive_frames.h"
+#include "cpu/post_filter.h"
 #include "methods/statistics.h"
 #include "methods/stochastic_fixture.h"
 
@@ -191,6 +192,30 @@ TEST(PostFilter, SmoothsNoiseAndLeavesTheRest)
     }
     // Total alpha is the same everywhere, and so is what is left of the background.
     EXPECT_FALSE(observe(channel_of(smooth, 2)).varies);
+}
+
+// Two halves of other colours. Where their total alpha differs by five sigma_r or more, a pixel of
+// the other half weighs exp(-12.5) at most; where it doesn't, the nearest weighs exp(-1 / (2
+// 0.6^2)) = 0.25.
+TEST(PostFilter, StopsWhereTotalAlphaChanges)
+{
+    const auto filtered = [](float left_alpha, float right_alpha) {
+        Image transparent(16, 16);
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 16; ++x) {
+                transparent.at(x, y) = x < 8 ? Float4{0.2f, 0.2f, 0.2f, left_alpha}
+                                             : Float4{0.8f, 0.8f, 0.8f, right_alpha};
+            }
+        }
+        Image image = transparent;
+        PostFilter filter;
+        filter.cross_bilateral = true;
+        apply_post_filter(filter, transparent, 1, image);
+        return image.at(7, 8)[0];
+    };
+    // Of at most 25 others with a difference of 0.6 in colour.
+    EXPECT_NEAR(filtered(0.5f, 0.75f), 0.2f, 25 * 0.6f * 3.8e-6f);
+    EXPECT_GT(filtered(0.5f, 0.5f), 0.25f);
 }
 
 TEST(PostFilter, WantsTotalAlpha)

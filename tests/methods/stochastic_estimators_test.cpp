@@ -50,13 +50,17 @@ Expected moments(const Variant& variant, const StochasticLayers& layers, Masks m
 }
 
 Image picture(const StochasticLayers& layers, int samples, const std::string& method,
-              int accumulate = 1, int size = 160)
+              int accumulate = 1, int size = 160, ShadowKind shadows = ShadowKind::none)
 {
     Options options;
     options.method = method;
     options.seed = 11;
     options.accumulate = accumulate;
-    return render(scene_of(layers), centered_view(size, samples), options).image;
+    View view = centered_view(size, samples);
+    view.shadows.kind = shadows;
+    view.shadows.size = 16;
+    view.shadows.samples = 1;
+    return render(scene_of(layers), view, options).image;
 }
 
 void expect_moments(const Image& image, const Expected& expected)
@@ -155,14 +159,18 @@ TEST(StochasticPasses, IndependentOnesAreAsManyPictures)
 }
 
 // U and U1 are accumulated apart: the bias of the quotient falls with the number of frames, to
-// first order as its inverse; a mean of quotients would keep it.
-TEST(StochasticAccumulation, TheQuotientIsTakenOnce)
+// first order as its inverse; a mean of quotients would keep it. With random shadows frames are
+// drawn one by one, which the layers, being unlit, must not show.
+class StochasticAccumulation : public testing::TestWithParam<ShadowKind> {};
+
+TEST_P(StochasticAccumulation, TheQuotientIsTakenOnce)
 {
     constexpr int kFrames = 64;
     const Variant corrected = kVariants[3];
     const Expected one = moments(corrected, red_over_green(), Masks::stratified, 4);
     const Image image =
-        picture(red_over_green(), 4, std::string("stochastic") + corrected.parameters, kFrames);
+        picture(red_over_green(), 4, std::string("stochastic") + corrected.parameters, kFrames, 160,
+                GetParam());
     const double truth[] = {0.45, 0.45 * 0.55};
     for (std::size_t c = 0; c < 2; ++c) {
         const double bias = std::abs(one[c].mean - truth[c]);
@@ -174,6 +182,9 @@ TEST(StochasticAccumulation, TheQuotientIsTakenOnce)
         EXPECT_GT(bias, 2 * bound) << "a mean of quotients would go unnoticed";
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Shadows, StochasticAccumulation,
+                         testing::Values(ShadowKind::none, ShadowKind::stochastic));
 
 // Of two masks of a half of 8 samples, those covered are within one of 6.
 TEST(StochasticMasksOfAHalf, UnionIsWithinOneOfSix)
