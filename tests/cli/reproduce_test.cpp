@@ -214,7 +214,7 @@ TEST(CliReproduce, CostStandsBesideThePapers)
         // The motor has no shadows and nothing opaque.
         EXPECT_EQ(passes[1]["ms"].is_null(), i == 0);
         EXPECT_EQ(passes[2]["ms"] == 0, i == 0);
-        for (const std::size_t pass : {5, 6}) EXPECT_GT(passes[pass]["ms"], 0) << passes[pass];
+        for (const std::size_t pass : {5u, 6u}) EXPECT_GT(passes[pass]["ms"], 0) << passes[pass];
     }
 }
 
