@@ -2,7 +2,6 @@
 #include "cpu/frame_stats.h"
 
 #include <algorithm>
-
 #include <utility>
 
 namespace sheer {

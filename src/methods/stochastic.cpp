@@ -12,6 +12,7 @@
 
 #include <hwy/foreach_target.h>
 
+#include "methods/nearest_samples-inl.h"
 #include "methods/stochastic_masks-inl.h"
 #include "methods/total_alpha-inl.h"
 
@@ -26,47 +27,13 @@ struct StochasticText {
 };
 
 template <int S>
-struct StochasticMethod {
-    using L = Lanes<S>;
-    using Text = StochasticText<L>;
-    using Store = typename Text::StochasticStore;
-    using real3 = typename Text::real3;
-    using real = typename L::real;
-    using whole = typename L::whole;
-    static constexpr int kChannels = 5;
-
-    static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
-    static HWY_INLINE Store clear() { return Text::stochastic_clear(beyond_any()); }
-    static HWY_INLINE Store merge(Store a, Store b)
-    {
-        return Text::stochastic_insert(a, b.depth < beyond_any(), b);
-    }
-    static HWY_INLINE real3 resolve(Store s, real3 backdrop, real& transmittance)
-    {
-        transmittance = Text::stochastic_transmittance(s, beyond_any());
-        return Text::stochastic_resolve(s, beyond_any(), backdrop);
-    }
-    static HWY_INLINE Store load(const float* at, std::size_t samples)
-    {
-        return {real::load(at), whole::bits_of(real::load(at + samples)),
-                load_color<Text>(at + 2 * samples, samples)};
-    }
-    static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
-    {
-        s.depth.store(at);
-        s.id.as_real().store(at + samples);
-        save_color<Text>(s.color, at + 2 * samples, samples);
-    }
-};
-
-template <int S>
-struct StochasticTile : SampleStore<S, StochasticMethod<S>> {
-    using Base = SampleStore<S, StochasticMethod<S>>;
+struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
+    using Base = SampleStore<S, NearestSamples<S, StochasticText>>;
     using typename Base::L;
     using typename Base::real;
     using typename Base::real3;
     using typename Base::Text;
-    using Method = StochasticMethod<S>;
+    using Method = NearestSamples<S, StochasticText>;
 
     const SampleSet& set;
     StochasticMasks masks;

@@ -20,7 +20,7 @@
 #include <hwy/foreach_target.h>
 
 #include "lanes/lone.h"
-#include "methods/samples-inl.h"
+#include "methods/nearest_samples-inl.h"
 #include "methods/stratified_settings.h"
 #include "raster/sample_depth-inl.h"
 
@@ -36,50 +36,15 @@ struct StratifiedText {
 #include "sheer/stratified_stochastic.glsl"
 };
 
-// A sample's values in memory, as `stochastic` has them.
 template <int S>
-struct StratifiedMethod {
-    using L = Lanes<S>;
-    using Text = StratifiedText<L>;
-    using Store = typename Text::StochasticStore;
-    using real3 = typename Text::real3;
-    using real = typename L::real;
-    using whole = typename L::whole;
-    static constexpr int kChannels = 5;
-
-    static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
-    static HWY_INLINE Store clear() { return Text::stochastic_clear(beyond_any()); }
-    static HWY_INLINE Store merge(Store a, Store b)
-    {
-        return Text::stochastic_insert(a, b.depth < beyond_any(), b);
-    }
-    static HWY_INLINE real3 resolve(Store s, real3 backdrop, real& transmittance)
-    {
-        transmittance = Text::stochastic_transmittance(s, beyond_any());
-        return Text::stochastic_resolve(s, beyond_any(), backdrop);
-    }
-    static HWY_INLINE Store load(const float* at, std::size_t samples)
-    {
-        return {real::load(at), whole::bits_of(real::load(at + samples)),
-                load_color<Text>(at + 2 * samples, samples)};
-    }
-    static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
-    {
-        s.depth.store(at);
-        s.id.as_real().store(at + samples);
-        save_color<Text>(s.color, at + 2 * samples, samples);
-    }
-};
-
-template <int S>
-struct StratifiedTile : SampleStore<S, StratifiedMethod<S>> {
-    using Base = SampleStore<S, StratifiedMethod<S>>;
+struct StratifiedTile : SampleStore<S, NearestSamples<S, StratifiedText>> {
+    using Base = SampleStore<S, NearestSamples<S, StratifiedText>>;
     using typename Base::L;
     using typename Base::real;
     using typename Base::Text;
     using whole = typename L::whole;
     using Store = typename Text::StochasticStore;
-    using Method = StratifiedMethod<S>;
+    using Method = NearestSamples<S, StratifiedText>;
     using LoneText = StratifiedText<Lone<float>>;
     using Block = Lanes<16>;  // of pixels and fragments
 

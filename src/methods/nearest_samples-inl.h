@@ -1,0 +1,55 @@
+// How the nearest fragment of each sample (shaders/sheer/stochastic.glsl) lies in a tile's memory:
+// depth, id and colour. For SampleStore.
+#if defined(SHEER_NEAREST_SAMPLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHEER_NEAREST_SAMPLES_INL_H
+#undef SHEER_NEAREST_SAMPLES_INL_H
+#else
+#define SHEER_NEAREST_SAMPLES_INL_H
+#endif
+
+#include <limits>
+
+#include "methods/samples-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sheer::HWY_NAMESPACE {
+
+// TextOf<L> has the words of stochastic.glsl.
+template <int S, template <class> class TextOf>
+struct NearestSamples {
+    using L = Lanes<S>;
+    using Text = TextOf<L>;
+    using Store = typename Text::StochasticStore;
+    using real3 = typename Text::real3;
+    using real = typename L::real;
+    using whole = typename L::whole;
+    static constexpr int kChannels = 5;
+
+    static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
+    static HWY_INLINE Store clear() { return Text::stochastic_clear(beyond_any()); }
+    static HWY_INLINE Store merge(Store a, Store b)
+    {
+        return Text::stochastic_insert(a, b.depth < beyond_any(), b);
+    }
+    static HWY_INLINE real3 resolve(Store s, real3 backdrop, real& transmittance)
+    {
+        transmittance = Text::stochastic_transmittance(s, beyond_any());
+        return Text::stochastic_resolve(s, beyond_any(), backdrop);
+    }
+    static HWY_INLINE Store load(const float* at, std::size_t samples)
+    {
+        return {real::load(at), whole::bits_of(real::load(at + samples)),
+                load_color<Text>(at + 2 * samples, samples)};
+    }
+    static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
+    {
+        s.depth.store(at);
+        s.id.as_real().store(at + samples);
+        save_color<Text>(s.color, at + 2 * samples, samples);
+    }
+};
+
+}  // namespace sheer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHEER_NEAREST_SAMPLES_INL_H
