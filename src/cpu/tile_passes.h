@@ -21,9 +21,10 @@ namespace sheer {
 
 // The stream and the store of a tile share the second-level cache: about 150 KB of fragments.
 inline constexpr int kStreamFragments = 4096;
-// For more than one pass, all of a tile's: 10 MB. That they leave the cache costs a tenth of what
-// rasterising them again does.
-inline constexpr int kKeptFragments = 262144;
+// For more than one pass, all of a tile's: 20 MB. That they leave the cache costs a tenth of what
+// rasterising them again does. A head of hair has 360,000 in its fullest tiles
+// (docs/performance.md).
+inline constexpr int kKeptFragments = 524288;
 
 // A store and what it is fed.
 struct TileStore {
