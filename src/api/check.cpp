@@ -232,12 +232,17 @@ void check_part(const char* what, float value, float least, float most)
     refuse(std::string(what) + ": it is not between " + plain(least) + " and " + plain(most));
 }
 
-void check_noise(const AdaptiveFrames& adaptive, const PostFilter& filter)
+void check_noise(const Options& options)
 {
+    const AdaptiveFrames& adaptive = options.adaptive;
+    const PostFilter& filter = options.post_filter;
     check_part("noise-target", adaptive.noise_target, 0, 1e6f);
     if (adaptive.budget != 0) check_part("frame-budget", adaptive.budget, 6, 100'000);
     if (adaptive.noise_target > 0 && adaptive.budget > 0) {
-        refuse("frame-budget: noise-target says already how many frames there are");
+        refuse("frame-budget: not together with a noise target");
+    }
+    if (options.accumulate > 1 && adaptive.noise_target + adaptive.budget > 0) {
+        refuse("accumulate: not together with a noise target or frame budget");
     }
     check_whole("most-frames", adaptive.most, 1, 65'535);
     check_part("post-filter: sigma-s", filter.sigma_s, 0.1f, 5);
@@ -260,7 +265,7 @@ void check_view(const View& view, const Options& options)
     }
     if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
     check_shadows(view.shadows);
-    check_noise(options.adaptive, options.post_filter);
+    check_noise(options);
     if (options.threads < 0 || options.threads > 4096) {
         refuse("threads: " + std::to_string(options.threads) + " is not between 0 and 4096");
     }

@@ -32,6 +32,15 @@ void parse_filter(const std::string& option, const std::string& text, PostFilter
     }
 }
 
+// Options that say how, where none says what.
+void refuse_alone(const CLI::App& command, const char* option)
+{
+    if (command.count(option) == 0) return;
+    if (command.count("--noise-target") + command.count("--frame-budget") > 0) return;
+    throw Error(Fault::input,
+                std::string(option) + ": means nothing without --noise-target or --frame-budget");
+}
+
 }  // namespace
 
 void add_noise_options(CLI::App& command, Options& options)
@@ -71,6 +80,11 @@ void add_noise_options(CLI::App& command, Options& options)
         "what is transparent, guided by total alpha (none; 0.6, 0.05)",
         [&options](auto& option, auto& text) { parse_filter(option, text, options.post_filter); })
         ->group(group);
+    command.parse_complete_callback([&command] {
+        for (const char* option : {"--most-frames", "--relative-noise"}) {
+            refuse_alone(command, option);
+        }
+    });
 }
 
 }  // namespace sheer

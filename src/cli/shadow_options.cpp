@@ -65,28 +65,32 @@ void parse_shadows(const std::string& option, const std::string& text, Shadows& 
 void add_shadow_options(CLI::App& command, Shadows& shadows)
 {
     const std::string group = "Shadows";
-    add_value(command, "--shadows", "KIND",
-              "none, stochastic[:NAME=VALUE]... or exact, which is slow\n"
-              "(none); of stochastic: masks=naive|stratified, correction=\n"
-              "on|off, footprint=fixed|random, colored=on|off\n"
-              "(stratified, off, fixed, off)",
-              [&shadows](auto& option, auto& text) { parse_shadows(option, text, shadows); })
-        ->group(group);
+    CLI::Option* kind =
+        add_value(command, "--shadows", "KIND",
+                  "none, stochastic[:NAME=VALUE]... or exact, which is slow\n"
+                  "(none); of stochastic: masks=naive|stratified, correction=\n"
+                  "on|off, footprint=fixed|random, colored=on|off\n"
+                  "(stratified, off, fixed, off)",
+                  [&shadows](auto& option, auto& text) { parse_shadows(option, text, shadows); });
+    kind->group(group);
     add_value(command, "--shadow-size", "N", "Texels across each light's map, 16 to 8192 (1024)",
               [&shadows](auto& option, auto& text) {
                   shadows.size = parse_whole(option, text, 16, 8192);
               })
+        ->needs(kind)
         ->group(group);
     add_value(command, "--shadow-samples", "N", "Samples a texel: 1, 2, 4, 8, 16, 32 or 64 (16)",
               [&shadows](auto& option, auto& text) {
                   shadows.samples = parse_whole(option, text, 1, 64);
               })
+        ->needs(kind)
         ->group(group);
     add_value(
         command, "--shadow-filter", "N",
         "Texels across what is averaged around a point, 1 to 8:\n"
         "wider is smoother and softer (1)",
         [&shadows](auto& option, auto& text) { shadows.filter = parse_whole(option, text, 1, 8); })
+        ->needs(kind)
         ->group(group);
 }
 

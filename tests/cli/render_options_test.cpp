@@ -1,4 +1,4 @@
-// --shadows and what belongs to it: what is taken, and how what is not is refused.
+// Options of noise and shadows: what is taken, and how what is not is refused.
 #include <string>
 #include <vector>
 
@@ -11,7 +11,7 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-class ShadowOptionsTest : public testing::Test {
+class RenderOptionsTest : public testing::Test {
 protected:
     Outcome render(const Words& added) const
     {
@@ -34,7 +34,7 @@ private:
     Tool tool_;
 };
 
-TEST_F(ShadowOptionsTest, AllOfThemAreTaken)
+TEST_F(RenderOptionsTest, ShadowsAreTaken)
 {
     for (const char* shadows :
          {"none", "exact", "stochastic", "stochastic:masks=naive:correction=on",
@@ -45,7 +45,7 @@ TEST_F(ShadowOptionsTest, AllOfThemAreTaken)
     }
 }
 
-TEST_F(ShadowOptionsTest, TheRestIsRefused)
+TEST_F(RenderOptionsTest, OddShadowsAreRefused)
 {
     expect_refusal({"--shadows", "soft"}, "--shadows: 'soft' is none of none, stochastic, exact");
     expect_refusal({"--shadows", "exact:masks=naive"}, "--shadows: 'exact:masks=naive' is not");
@@ -55,8 +55,34 @@ TEST_F(ShadowOptionsTest, TheRestIsRefused)
     expect_refusal({"--shadows", "stochastic:depth=1"}, "--shadows: there is no parameter 'depth'");
     expect_refusal({"--shadow-size", "15"}, "--shadow-size: '15' is not a whole number from 16");
     expect_refusal({"--shadow-filter", "9"}, "--shadow-filter: '9' is not a whole number");
-    expect_refusal({"--shadow-samples", "3"},
+    expect_refusal({"--shadows", "stochastic", "--shadow-samples", "3"},
                    "--shadow-samples: 3 is not one of 1, 2, 4, 8, 16, 32, 64");
+    expect_refusal({"--shadow-size", "64"}, "--shadow-size requires --shadows");
+}
+
+TEST_F(RenderOptionsTest, FramesAreTaken)
+{
+    for (const Words& words : {Words{"--accumulate", "3"}, Words{"--noise-target", "4"},
+                               Words{"--noise-target", "4", "--relative-noise"},
+                               Words{"--frame-budget", "8", "--most-frames", "9"},
+                               Words{"--post-filter", "cross-bilateral:sigma-s=1:sigma-r=0.1"}}) {
+        Words added = {"--method", "stochastic:correction=on"};
+        added.insert(added.end(), words.begin(), words.end());
+        const Outcome outcome = render(added);
+        EXPECT_EQ(outcome.exit_code, 0) << words[0] << ": " << outcome.err;
+    }
+}
+
+TEST_F(RenderOptionsTest, OddFramesAreRefused)
+{
+    expect_refusal({"--most-frames", "9"}, "--most-frames: means nothing without --noise-target");
+    expect_refusal({"--relative-noise"}, "--relative-noise: means nothing without --noise-target");
+    expect_refusal({"--noise-target", "2", "--frame-budget", "8"},
+                   "--frame-budget: not together with a noise target");
+    expect_refusal({"--noise-target", "2", "--accumulate", "8"},
+                   "--accumulate: not together with a noise target or frame budget");
+    expect_refusal({"--frame-budget", "5"}, "--frame-budget: it is not between 6 and 100000");
+    expect_refusal({"--post-filter", "box"}, "--post-filter: 'box' is none of");
 }
 
 }  // namespace
