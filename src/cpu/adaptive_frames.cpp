@@ -9,10 +9,14 @@ namespace sheer {
 
 namespace {
 
+// Of a pixel, for its share of the frames: two variances, before and after smoothing, and a count.
+constexpr std::uint64_t kPlanBytes = 2 * sizeof(double) + sizeof(std::uint16_t);
+
 // Mean over red, green and blue, as the metrics have it.
 std::vector<double> variances_of(const Image& variance)
 {
     std::vector<double> result;
+    result.reserve(variance.pixels.size());
     for (const Float4& v : variance.pixels) {
         result.push_back((double{v[0]} + double{v[1]} + double{v[2]}) / 3);
     }
@@ -23,6 +27,7 @@ std::vector<double> smoothed(const std::vector<double>& values, int width, int h
 {
     constexpr int kReach = 2;
     std::vector<double> result;
+    result.reserve(values.size());
     for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
             double sum = 0;
@@ -98,8 +103,10 @@ std::vector<std::uint16_t> share_frames(const AdaptiveFrames& adaptive, const Im
     }
     const double target = double{adaptive.noise_target} / 255;
     std::vector<std::uint16_t> counts;
-    for (const double v : variances)
+    counts.reserve(variances.size());
+    for (const double v : variances) {
         counts.push_back(whole_frames(v / (target * target), adaptive.most));
+    }
     return counts;
 }
 
@@ -112,7 +119,10 @@ std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view, con
     Options quiet = options;
     quiet.channels = false;
     quiet.progress = {};
-    const FrameTakes drawn = render_takes(scene, view, quiet, {{&take, 1}});
+    const std::uint64_t pixels =
+        static_cast<std::uint64_t>(view.width) * static_cast<std::uint64_t>(view.height);
+    const FrameTakes drawn =
+        render_takes(scene, view, quiet, {{&take, 1}, {}, pixels * kPlanBytes});
     pilots = drawn.frames[0].stats;
     return share_frames(options.adaptive, drawn.frames[0].variance, drawn.frames[0].image);
 }
