@@ -6,9 +6,14 @@
 
 namespace sheer {
 
+namespace {
+
+constexpr int kGap = 8;  // pixels
+
+}  // namespace
+
 Image side_by_side(std::span<const Image> pictures)
 {
-    constexpr int kGap = 8;  // pixels
     int width = -kGap;
     for (const Image& picture : pictures) width += picture.width + kGap;
     Image row(width, pictures.front().height);
@@ -21,6 +26,31 @@ Image side_by_side(std::span<const Image> pictures)
         left += picture.width + kGap;
     }
     return row;
+}
+
+Image one_below_another(std::span<const Image> pictures)
+{
+    int height = -kGap;
+    for (const Image& picture : pictures) height += picture.height + kGap;
+    Image column(pictures.front().width, height);
+    std::fill(column.pixels.begin(), column.pixels.end(), std::array<float, 4>{1, 1, 1, 1});
+    int top = 0;
+    for (const Image& picture : pictures) {
+        std::copy(picture.pixels.begin(), picture.pixels.end(), &column.at(0, top));
+        top += picture.height + kGap;
+    }
+    return column;
+}
+
+Image enlarge(const Image& picture, const Crop& crop, int times)
+{
+    Image large(crop.width * times, crop.height * times);
+    for (int y = 0; y < large.height; ++y) {
+        for (int x = 0; x < large.width; ++x) {
+            large.at(x, y) = picture.at(crop.x + x / times, crop.y + y / times);
+        }
+    }
+    return large;
 }
 
 Moments moments_of(const std::vector<Image>& images)

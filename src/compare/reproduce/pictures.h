@@ -13,6 +13,17 @@ namespace sheer {
 // From left to right, white between them. They are of one height.
 Image side_by_side(std::span<const Image> pictures);
 
+// From top to bottom likewise. They are of one width.
+Image one_below_another(std::span<const Image> pictures);
+
+// A rectangle of pixels.
+struct Crop {
+    int x, y, width, height;
+};
+
+// What is within, each pixel `times` x `times` large.
+Image enlarge(const Image& picture, const Crop& crop, int times);
+
 // Of pictures of one size, two or more, each of a seed of its own.
 Moments moments_of(const std::vector<Image>& images);
 
