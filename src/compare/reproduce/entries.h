@@ -17,6 +17,13 @@ Reproduce reproduce_stochastic_figure_5;
 Reproduce reproduce_stochastic_cost;
 Reproduce reproduce_stochastic_seeding;
 Reproduce reproduce_stratified_table_1;
+Reproduce reproduce_stratified_figure_1;
+Reproduce reproduce_stratified_tracking;
+Reproduce reproduce_stratified_figure_3;
 Reproduce reproduce_stratified_figure_5;
+Reproduce reproduce_stratified_figure_6;
+Reproduce reproduce_stratified_figure_8;
+Reproduce reproduce_stratified_figure_9;
+Reproduce reproduce_stratified_figure_10;
 
 }  // namespace sheer
