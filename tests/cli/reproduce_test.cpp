@@ -8,6 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/quick_entry.h"
 #include "cli/run_tool.h"
 
 namespace sheer::test {
@@ -61,24 +62,6 @@ constexpr double kLargestZ = 5.5;
 double z_of(const Json& row, const char* column = "z")
 {
     return row[column].is_null() ? 0 : std::abs(row[column].get<double>());
-}
-
-// A quick run of one entry.
-Json reproduce(const Tool& tool, const std::string& name)
-{
-    const Outcome outcome = tool.run({"reproduce", name, "--quick", "-o", "out/deep"});
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-    EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, "out/deep/" + name + ".md\n");
-    EXPECT_TRUE(text_of(tool.file("out/deep/" + name + ".md")).starts_with("# " + name + "\n"));
-    const Json json = Json::parse(text_of(tool.file("out/deep/" + name + ".json")));
-    EXPECT_EQ(json["name"], name);
-    EXPECT_EQ(json["quick"], true);
-    for (const Json& picture : json["pictures"]) {
-        const std::string file = tool.file("out/deep/" + picture["file"].get<std::string>());
-        EXPECT_GT(text_of(file).size(), 0u) << file;
-    }
-    return json;
 }
 
 TEST(CliReproduce, ExamplesAgreeWithEnumeration)
