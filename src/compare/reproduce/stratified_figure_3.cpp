@@ -117,8 +117,9 @@ void add_coverage(Page& page, const ReproduceJob& job)
     page.say("`builtin:layers`, " + size_text(kSide, kSide) + " pixels, " + std::to_string(seeds) +
              " seeds. *Off*: the mean's distance from the exact one, with its interval of 99 % "
              "confidence; frames are independent, pixels of one frame are not. *rmse*, *bias*: of "
-             "pixels, times 255; bias is what more seeds would not average out. *Pattern*: the "
-             "largest correlation between pixels of one picture, 4 to 16 apart.");
+             "pixels, times 255; bias is what more seeds would not average out, and some tenths "
+             "of it are chance. *Pattern*: the largest correlation between pixels of one picture, "
+             "4 to 16 apart.");
 }
 
 // Bits of a number's value.
