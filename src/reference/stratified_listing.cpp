@@ -1,6 +1,7 @@
 #include "reference/stratified_listing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <utility>
@@ -49,6 +50,17 @@ bool is_hidden(const PixelFragment& fragment, const State& state, std::size_t s)
     return depth > state.depth[s] || (depth == state.depth[s] && fragment.id > state.id[s]);
 }
 
+bool takes(const StratifiedPixel& pixel, double opacity, std::uint32_t number,
+           std::uint32_t surface)
+{
+    if (!pixel.switches.systematic) {
+        return opacity > pixel.reference(number, pixel.index, surface);
+    }
+    const double start = pixel.reference(0, pixel.index, surface);
+    const double step = std::ceil(std::ldexp(opacity, 24)) / 16777216.0;
+    return std::floor(start + (number + 1.0) * step) > std::floor(start + number * step);
+}
+
 // Figure 7, with its line numbers.
 void draw(const PixelFragment& fragment, int number_of_fragment, const StratifiedPixel& pixel,
           State& state)
@@ -77,7 +89,7 @@ void draw(const PixelFragment& fragment, int number_of_fragment, const Stratifie
     // 10 to 17
     for (const std::size_t s : open) {
         const std::uint32_t number = pixel.switches.compaction ? n : static_cast<std::uint32_t>(s);
-        if (fragment.opacity > pixel.reference(number, pixel.index, state.surface)) {
+        if (takes(pixel, fragment.opacity, number, state.surface)) {
             state.depth[s] = fragment.depth[s];
             state.id[s] = fragment.id;
             state.owner[s] = number_of_fragment;

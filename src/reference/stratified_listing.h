@@ -37,13 +37,18 @@ struct PixelFragment {
     std::uint64_t covered = 0;          // sample s: bit s
     std::array<double, 64> depth = {};  // at each sample
     double opacity = 0;
-    std::uint32_t id = 0;  // of equal depths the smaller is in front
+    std::uint32_t id = 0;              // of equal depths the smaller is in front
+    std::array<double, 3> color = {};  // straight
 };
 
 struct StratifiedSwitches {
     bool tracking = true;    // off: every fragment is a surface of its own
     bool compaction = true;  // off: a sample's number is its own
     bool sort = true;        // off: samples get their numbers in their own order
+    // Instead of the paper's values: W. Madow, L. Madow, "On the theory of systematic sampling",
+    // 1944. With x a surface's value of number 0 and a the opacity, number n takes its sample where
+    // floor(x + (n + 1) a) is more than floor(x + n a); both in whole 2^-24, a rounded up.
+    bool systematic = false;
 };
 
 struct StratifiedPixel {
