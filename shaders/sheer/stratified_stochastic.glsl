@@ -8,9 +8,12 @@
 // numbers by the depths that they already keep, so that each surface that was drawn before gives up
 // its share. Unbiased for every order of the fragments, which shows in the noise alone.
 //
+// Systematic numbers, which are not the paper's, spread the same way over any span.
+//
 // For each fragment: its open samples are those that it covers and where it is stochastic_nearer;
 // with none, nothing happens. stratified_begin says which number the first of them gets; they count
-// on from there in the order of stratified_before, and take what stratified_takes says.
+// on from there in the order of stratified_before, and take what stratified_takes says, or
+// systematic_takes.
 // Needs prelude.glsl, random.glsl.
 
 SHEER_FN whole reversed_bits(whole x)
@@ -109,6 +112,21 @@ SHEER_FN whole reference_bits(int sequence, whole reversed, whole surface)
 SHEER_FN mask stratified_takes(real opacity, whole bits)
 {
     return opacity > to_real(bits >> 8) * real(5.9604644775390625e-8f);  // 2^-24
+}
+
+// Systematic numbers instead of such a sequence: number n takes its sample where a multiple of 1
+// lies above start + n opacity and not above start + (n + 1) opacity. Of any consecutive numbers
+// floor or ceil of opacity times how many they are take theirs, not only of 2^k of them; a random
+// start makes each as likely as the opacity says. Madow and Madow. On the Theory of Systematic
+// Sampling. 1944. `start`, in 2^-24: the reference value of the pixel, which has one number here.
+SHEER_FN mask systematic_takes(real opacity, whole start, whole number)
+{
+    real scaled = opacity * real(16777216.0f);  // 2^24
+    whole least = to_whole(scaled);
+    // Rounded up, as stratified_takes does.
+    whole step = least + zero_unless(to_real(least) < scaled, whole(1u));
+    whole before = (start + number * step) & whole(0xffffffu);
+    return !(before + step < whole(0x1000000u));
 }
 
 // What a pixel knows of the surface that is being drawn.

@@ -77,6 +77,7 @@ void draw_unevenly(const FrameJob& job, const Take& take, TileSetting& setting, 
         if (!left.any) break;
         if (i > 0) worker.passes.restrict_to(&left.tile);
         setting.place.key = take.keys[i];
+        setting.place.frame = take.frame_of_picture(i);
         const std::uint64_t fragments = store.fragments;
         worker.passes.draw(setting, store, worker.colors);
         if (i > 0) store.fragments = fragments;  // those of all pixels count
@@ -98,6 +99,7 @@ void draw_evenly(const FrameJob& job, const Take& take, TileSetting& setting, Wo
     for (std::size_t i = 0; i < take.keys.size(); ++i) {
         if (i % frames == 0) worker.picture.clear();
         setting.place.key = take.keys[i];
+        setting.place.frame = take.frame_of_picture(i);
         worker.passes.draw(setting, store, worker.colors);
         store.resolving.start();
         worker.picture.add(job.filter, worker.colors, store.divides, setting.job.rect, interior);

@@ -20,8 +20,17 @@ struct Take {
     bool variance = false;            // over the pictures is wanted as well
     // Of one picture: how many of the keys each pixel's frames are, 1 at least; empty: all.
     std::vector<std::uint16_t> frames_of_pixels = {};
-    bool transparent = false;  // TakeFrame::transparent is wanted; of one picture
-    bool apart = false;        // TakeFrame::fraction is wanted, and not part of the image
+    bool transparent = false;   // TakeFrame::transparent is wanted; of one picture
+    bool apart = false;         // TakeFrame::fraction is wanted, and not part of the image
+    FrameOfPicture alone = {};  // of several that are drawn one by one, the take's only one
+
+    // Of the frame that has the i-th key.
+    FrameOfPicture frame_of_picture(std::size_t i) const
+    {
+        if (alone.count > 1) return alone;
+        const std::size_t number = i % static_cast<std::size_t>(frames);
+        return {keys[i - number], static_cast<int>(number), frames};
+    }
 };
 
 struct TakeFrame {

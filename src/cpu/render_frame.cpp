@@ -69,6 +69,7 @@ Frame draw_one_by_one(const Scene& scene, const View& view, const Options& optio
         };
         Take take = prepared;
         take.keys = {frame_key(options.seed, i)};
+        take.alone = {frame_key(options.seed, 0), i, options.accumulate};
         take.transparent = false;
         take.apart = true;
         FrameTakes result = render_takes(scene, view, one, {{&take, 1}, {}, sums_bytes, i});

@@ -1,4 +1,5 @@
-// The depth behind which a pixel of the tile shows nothing more, and the fragments before it.
+// The depths that a tile's samples keep; that behind which a pixel shows nothing more, and the
+// fragments before it.
 #if defined(SHEER_FARTHEST_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHEER_FARTHEST_INL_H
 #undef SHEER_FARTHEST_INL_H
@@ -14,6 +15,20 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
+
+// Where a store has the nearest fragments: the depths of a pixel's samples, then their ids.
+struct KeptDepths {
+    const float* values;
+    std::size_t channels;  // of a sample
+
+    HWY_INLINE const float* of_pixel(std::size_t pixel, std::size_t samples) const
+    {
+        return values + channels * pixel * samples;
+    }
+};
+
+// Passes of the same frame that are to be independent: an odd number between their keys.
+inline constexpr std::uint32_t kPassesApart = 0x632be5abu;
 
 class Farthest {
 public:

@@ -91,10 +91,17 @@ struct StoreShape {
     bool filter_mixes_pixels = true;
 };
 
+// Where a frame is among those whose mean is one picture.
+struct FrameOfPicture {
+    std::uint32_t key = 0;  // of random numbers that all of them share
+    int number = 0, count = 1;
+};
+
 // What a store is cleared for.
 struct TilePlace {
     int x = 0, y = 0;       // the tile's first pixel in the picture
     std::uint32_t key = 0;  // of the frame's random numbers
+    FrameOfPicture frame = {};
 };
 
 // How a store is worked with, for one SIMD level. `store` is what `make` gave; `backdrop` holds the

@@ -37,6 +37,7 @@ class StochasticMasks {
     using LoneText = MaskText<Lone<float>>;
 
 public:
+    static constexpr bool kWait = true;  // with settings.depth_before: for taken_of
     MaskSettings settings;
     Farthest farthest;
 
@@ -53,13 +54,14 @@ public:
         farthest.clear();
         first_ = settings.joint ? pass * settings.samples : 0;
         // Independent passes are seeded apart.
-        key_ = settings.joint ? place_.key : place_.key + static_cast<std::uint32_t>(pass) * kApart;
+        key_ = settings.joint ? place_.key
+                              : place_.key + static_cast<std::uint32_t>(pass) * kPassesApart;
     }
 
     // Calls insert(run, k) for the runs that have fragments that may win a sample, of which k is
     // the first; it answers with the next run's first.
     template <int Samples, class Insert>
-    HWY_INLINE void for_each_run(const FragmentStream& f, Insert&& insert)
+    HWY_INLINE void for_each_run(const FragmentStream& f, KeptDepths, Insert&& insert)
     {
         const std::size_t run_count = static_cast<std::size_t>(f.run_count);
         for (std::size_t r = 0; r < run_count;) {
@@ -105,7 +107,6 @@ public:
 private:
     static constexpr int kTileBits = 5;
     static_assert(1 << kTileBits == kTileSize);
-    static constexpr std::uint32_t kApart = 0x632be5abu;  // odd
 
     // Fragments that may win a sample are collected from runs until they are this many: vectors are
     // full then, and `farthest` is still fresh.

@@ -1,10 +1,12 @@
-// The row of `stochastic`, whose parameters choose between two stores.
+// The row of `stochastic`, whose parameters choose between two stores and two kinds of masks.
 #include "methods/method.h"
 
 namespace sheer {
 
 StoreVerbs stochastic_verbs(TargetSet targets, int samples);
 StoreVerbs stochastic_depth_verbs(TargetSet targets, int samples);
+StoreVerbs stratified_stochastic_verbs(TargetSet targets, int samples);
+StoreVerbs stratified_stochastic_depth_verbs(TargetSet targets, int samples);
 
 namespace {
 
@@ -13,12 +15,17 @@ bool is_on(const ChosenMethod& method, const char* parameter)
     return method.value(parameter) == "on";
 }
 
+bool is_tracked(const ChosenMethod& method)
+{
+    return method.value("masks") == "tracked" || method.value("masks") == "systematic";
+}
+
 MethodTraits traits_of(const ChosenMethod& method)
 {
     const int passes = method.number("sample-passes");
     const bool corrects = is_on(method, "correction");
     MethodTraits traits;
-    traits.bytes_besides = 4;
+    traits.bytes_besides = is_tracked(method) ? 20 : 4;
     traits.divides = corrects;
     if (is_on(method, "depth-based")) {
         traits.passes = 2 * passes;
@@ -39,17 +46,35 @@ MethodTraits traits_of(const ChosenMethod& method)
         traits.bias = corrects ? Bias::neither : Bias::unbiased;
     }
     if (method.value("masks") == "table") traits.bias = Bias::neither;
-    if (method.value("depth-test") == "before" && method.value("masks") != "naive") {
+    const bool waits = method.value("depth-test") == "before" && method.value("masks") != "naive";
+    if (waits || is_tracked(method)) {
         traits.any_order = Agreement::none;
         traits.merge = Agreement::none;
     }
     return traits;
 }
 
+std::string refusal_of_tracked(const ChosenMethod& method)
+{
+    if (method.value("round") != "random") {
+        return "round=tile-dither is for masks=stratified; tracked masks are dithered along a "
+               "curve through all pixels";
+    }
+    if (method.value("seed-by") != "primitive") {
+        return "seed-by is not for tracked masks, whose numbers depend on how many surfaces came "
+               "before";
+    }
+    if (method.value("depth-test") != "after") {
+        return "depth-test is not for tracked masks, which always leave out samples that are lost";
+    }
+    return "";
+}
+
 std::string refusal(const ChosenMethod& method, int samples)
 {
     const int passes = method.number("sample-passes");
     const bool joint = method.value("pass-masks") == "joint";
+    if (is_tracked(method)) return refusal_of_tracked(method);
     if (joint && passes * samples > 64) {
         return "the masks of sample-passes=" + std::to_string(passes) + " with " +
                std::to_string(samples) +
@@ -74,8 +99,12 @@ std::string refusal(const ChosenMethod& method, int samples)
 
 StoreVerbs verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
-    return (is_on(method, "depth-based") ? stochastic_depth_verbs : stochastic_verbs)(targets,
+    const bool tracked = is_tracked(method);
+    if (is_on(method, "depth-based")) {
+        return (tracked ? stratified_stochastic_depth_verbs : stochastic_depth_verbs)(targets,
                                                                                       samples);
+    }
+    return (tracked ? stratified_stochastic_verbs : stochastic_verbs)(targets, samples);
 }
 
 }  // namespace
@@ -87,9 +116,10 @@ MethodRow stochastic_row()
         .title = "Stochastic transparency: each fragment takes a random part of its samples",
         .citation = "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. I3D 2010",
         .parameters =
-            {{"masks", "naive|stratified|table", "stratified",
+            {{"masks", "naive|stratified|table|tracked|systematic", "stratified",
               "each sample for itself; as many of S as the opacity says; such masks from a table, "
-              "by the opacity in steps of 1/1000"},
+              "by the opacity in steps of 1/1000; those of stratified-stochastic; the same with "
+              "sequence=systematic"},
              {"round", "random|tile-dither", "random",
               "how their number is rounded: at random, or dithered over squares of 8x8 pixels"},
              {"seed-by", "depth|primitive|object|object-alone", "primitive",
@@ -103,7 +133,8 @@ MethodRow stochastic_row()
               "samples keep depths; all fragments in front of them are added up"},
              {"sample-passes", "1..16", "1", "passes of S samples each"},
              {"pass-masks", "joint|independent", "joint",
-              "whether the passes' masks are stratified together, up to 64 samples"}},
+              "whether the passes' masks are stratified together, up to 64 samples; tracked ones "
+              "up to any number, and those of one picture's frames too"}},
         .traits = {},
         .random = true,
         .bench_only = false,

@@ -1,13 +1,33 @@
-// What the parameters of `stochastic` say of masks.
+// What the parameters of `stochastic` say, and of `stratified-stochastic`, which is its basic
+// method in one pass with tracked masks.
 #pragma once
+
+#include <string_view>
 
 #include "methods/method.h"
 
 namespace sheer {
 
+// How samples become a picture.
+struct StochasticSettings {
+    bool corrects = false;  // alpha
+    int passes = 1;         // of the samples
+    bool joint = true;      // their masks are stratified together; tracked ones of frames, too
+};
+
+inline StochasticSettings stochastic_settings(const ChosenMethod& method)
+{
+    if (method.row->id != std::string_view("stochastic")) {
+        return {.joint = method.value("frames") == "joint"};
+    }
+    return {method.value("correction") == "on", method.number("sample-passes"),
+            method.value("pass-masks") == "joint"};
+}
+
 enum class MaskKind { naive, stratified, table };
 enum class SeedBy { depth, primitive, object, object_alone };
 
+// Of masks that are not tracked.
 struct MaskSettings {
     MaskKind masks;
     SeedBy seed_by;
@@ -35,8 +55,9 @@ inline MaskSettings mask_settings(const ChosenMethod& method, int samples)
     // Samples that are chosen each for itself do not know of the others' depths.
     settings.depth_before =
         method.value("depth-test") == "before" && settings.masks != MaskKind::naive;
-    settings.passes = method.number("sample-passes");
-    settings.joint = method.value("pass-masks") == "joint";
+    const StochasticSettings all = stochastic_settings(method);
+    settings.passes = all.passes;
+    settings.joint = all.joint;
     settings.samples = samples;
     return settings;
 }

@@ -3,7 +3,7 @@
 
 namespace sheer {
 
-StoreVerbs stratified_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs stratified_stochastic_verbs(TargetSet targets, int samples);
 
 namespace {
 
@@ -15,6 +15,11 @@ MethodTraits traits_of(const ChosenMethod& method)
     // Of Sobol's sequence the layers know of one another.
     traits.bias = method.value("sequence") == "sobol" ? Bias::neither : Bias::unbiased;
     return traits;
+}
+
+StoreVerbs verbs(TargetSet targets, const ChosenMethod&, int samples)
+{
+    return stratified_stochastic_verbs(targets, samples);
 }
 
 std::string refusal(const ChosenMethod& method, int)
@@ -43,12 +48,15 @@ MethodRow stratified_stochastic_row()
               "their own index"},
              {"sort", "on|off", "on",
               "whether samples are numbered in the order of the depths that they keep"},
-             {"sequence", "paper|vegdahl|sobol|random", "paper",
-              "of reference values: two scrambled ones; Sobol's, biased; independent ones"}},
+             {"sequence", "paper|vegdahl|sobol|random|systematic", "paper",
+              "of reference values: two scrambled ones; Sobol's, biased; independent ones; evenly "
+              "spaced ones from a random start, which are not the paper's"},
+             {"frames", "joint|independent", "joint",
+              "whether the frames of one picture are stratified together"}},
         .traits = {},
         .random = true,
         .bench_only = false,
-        .verbs = stratified_verbs,
+        .verbs = verbs,
         .traits_of = traits_of,
         .refusal = refusal};
     ChosenMethod standard{&row, {}};

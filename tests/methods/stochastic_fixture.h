@@ -105,14 +105,16 @@ public:
     {
     }
 
-    // Every sample's colour. `fault` may change the fragments on their way.
+    // Every sample's colour. `fault` may change the fragments on their way, pass by pass.
     const SampleColors& draw(const StochasticLayers& layers, const TilePlace& place,
                              const Fault& fault = {})
     {
         verbs_.clear(store_.get(), place);
-        fill(layers);
-        if (fault) fault(stream_);
-        verbs_.insert(store_.get(), stream_, 0);
+        for (int pass = 0; pass < method_.traits().passes; ++pass) {
+            fill(layers);
+            if (fault) fault(stream_);
+            verbs_.insert(store_.get(), stream_, pass);
+        }
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
             for (std::size_t c = 0; c < 4; ++c) {
                 std::fill_n(colors_.channel(pixel, c), set_.count, c < 3 ? kBehind[c] : 1.0f);

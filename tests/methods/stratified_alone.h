@@ -37,12 +37,24 @@ struct StratifiedAlone : MethodAlone<L> {
         const std::uint32_t index = settings.dither == Dither::hilbert  ? T::hilbert_index(x, y)
                                     : settings.dither == Dither::morton ? T::morton_index(x, y)
                                                                         : 0;
-        place = T::reversed_bits(index * static_cast<std::uint32_t>(this->lists.samples()));
+        const auto numbers = systematic() ? 1 : static_cast<std::uint32_t>(this->lists.samples());
+        place = T::reversed_bits(index * numbers);
         surface = T::stratified_clear(tile.key);
         drawn.assign(this->lists.samples(), clear());
         for (std::uint32_t i = this->lists.first[pixel]; i < this->lists.first[pixel + 1]; ++i) {
             draw(i);
         }
+    }
+    bool systematic() const { return settings.sequence == Sequence::systematic; }
+    bool takes(real opacity, std::uint32_t number) const
+    {
+        if (systematic()) {
+            return T::systematic_takes(opacity, T::reference_bits(0, place, surface.id) >> 8,
+                                       number);
+        }
+        return T::stratified_takes(opacity,
+                                   T::reference_bits(static_cast<int>(settings.sequence),
+                                                     T::reversed_bits(number) + place, surface.id));
     }
     void draw(std::uint32_t i)
     {
@@ -68,10 +80,7 @@ struct StratifiedAlone : MethodAlone<L> {
                                   : t < s;
                 if ((open >> t & 1) != 0 && sooner) ++number;
             }
-            const std::uint32_t bits = T::reference_bits(
-                static_cast<int>(settings.sequence), T::reversed_bits(number) + place, surface.id);
-            const bool takes = T::stratified_takes(this->opacity(i), bits);
-            drawn[s] = T::stochastic_insert(drawn[s], takes, here[s]);
+            drawn[s] = T::stochastic_insert(drawn[s], takes(this->opacity(i), number), here[s]);
         }
     }
     Store insert(Store, std::size_t, std::size_t at) const { return drawn[at]; }

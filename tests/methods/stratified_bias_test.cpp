@@ -173,7 +173,7 @@ TEST_P(StratifiedBias, TheMeanOverFramesIsExactWithEverySwitch)
     const StochasticLayers layers = stack_of(5);
     for (const char* switches :
          {":tracking=off", ":sort=off", ":compaction=off:sort=off", ":dither=none",
-          ":dither=morton", ":sequence=vegdahl", ":sequence=random"}) {
+          ":dither=morton", ":sequence=vegdahl", ":sequence=random", ":sequence=systematic"}) {
         for (const StochasticLayers& order : orders_of(layers)) {
             const std::string method = std::string("stratified-stochastic") + switches;
             EXPECT_TRUE(
@@ -192,6 +192,44 @@ TEST_P(StratifiedBias, ASurfaceThatIsTakenUpAgainIsNotBiased)
         const FrameMeans means = frames_of("stratified-stochastic", GetParam(), {a, b, a},
                                            piece({0x5555u, 0xffffu, 0xaaaau}));
         EXPECT_TRUE(frames_agree(means, exact_of(two), GetParam()));
+    }
+}
+
+// U, of one pass and of several.
+TEST_P(StratifiedBias, OfTheDepthBasedMethodTheMeanIsExactToo)
+{
+    const StochasticLayers layers = stack_of(5);
+    for (const char* parameters :
+         {"tracked:depth-based=on", "systematic:depth-based=on", "tracked:sample-passes=2",
+          "tracked:depth-based=on:sample-passes=3"}) {
+        for (const StochasticLayers& order : orders_of(layers)) {
+            const std::string method = std::string("stochastic:masks=") + parameters;
+            EXPECT_TRUE(
+                frames_agree(frames_of(method, GetParam(), order), exact_of(layers), GetParam()))
+                << method;
+        }
+    }
+}
+
+// Frames of one picture know of one another, pictures don't.
+TEST_P(StratifiedBias, NorAreJointFramesBiased)
+{
+    constexpr int kFramesOfPicture = 4;
+    const StochasticLayers layers = stack_of(4);
+    for (const char* method : {"stratified-stochastic", "stochastic:masks=systematic"}) {
+        DrivenTile tile(method, GetParam());
+        FrameMeans pictures;
+        for (int picture = 0; picture < kFrames; ++picture) {
+            FrameMeans frames;
+            for (int i = 0; i < kFramesOfPicture; ++i) {
+                add_frame(frames,
+                          tile.draw(layers, {64, 32, 0, {key_of(picture), i, kFramesOfPicture}}));
+            }
+            for (std::size_t i = 0; i < pictures.size(); ++i) {
+                pictures[i].push_back(observe(frames[i]).mean);
+            }
+        }
+        EXPECT_TRUE(frames_agree(pictures, exact_of(layers), GetParam())) << method;
     }
 }
 
@@ -224,6 +262,21 @@ TEST(PlantedInStratified, LayersThatKnowOfOneAnotherAreFound)
                               exact_of(thin), kSamples));
     EXPECT_TRUE(
         frames_agree(frames_of("stratified-stochastic", kSamples, thin), exact_of(thin), kSamples));
+}
+
+// In the first pass of the depth-based method opacities 5 % too small: more is seen than there is.
+TEST(PlantedInStratified, DepthsOfFainterFragmentsAreFound)
+{
+    const StochasticLayers layers = stack_of(5);
+    int pass = 0;
+    const DrivenTile::Fault none;
+    const DrivenTile::Fault fainter = [&](FragmentStream& f) {
+        if (pass++ % 2 != 0) return;
+        for (int i = 0; i < f.size; ++i) f.opacity[i] *= 0.95f;
+    };
+    const char* method = "stochastic:masks=tracked:depth-based=on";
+    EXPECT_TRUE(frames_agree(frames_of(method, 8, layers, none), exact_of(layers), 8));
+    EXPECT_FALSE(frames_agree(frames_of(method, 8, layers, fainter), exact_of(layers), 8));
 }
 
 // However many pieces a surface is drawn in, it covers floor or ceil of opacity times S.

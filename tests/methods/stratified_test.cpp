@@ -9,50 +9,11 @@
 #include "methods/make_lists.h"
 #include "methods/statistics.h"
 #include "methods/stochastic_fixture.h"
-#include "methods/texts_alone.h"
-#include "reference/stratified_listing.h"
+#include "methods/stratified_oracle.h"
 #include "simd_levels.h"
 
 namespace sheer::test {
 namespace {
-
-reference::AlphaReference reference_of(Sequence sequence, int samples)
-{
-    using T = Texts<Lone<float>>;
-    return [=](std::uint32_t number, std::uint32_t pixel, std::uint32_t surface) {
-        const std::uint32_t index = number + pixel * static_cast<std::uint32_t>(samples);
-        switch (sequence) {
-            case Sequence::paper:
-                return reference::value_of_bits(
-                    reference::paper_bits(number, pixel, surface, samples));
-            case Sequence::sobol:
-                return reference::value_of_bits(
-                    reference::sobol_bits(number, pixel, surface, samples));
-            case Sequence::vegdahl:
-                return reference::value_of_bits(reference::vegdahl_bits(index, hash_u32(surface)));
-            default:  // of no paper
-                return reference::value_of_bits(
-                    T::reference_bits(3, T::reversed_bits(index), surface));
-        }
-    };
-}
-
-std::vector<reference::PixelFragment> fragments_of_pixel(const FragmentLists& lists,
-                                                         std::uint32_t pixel)
-{
-    std::vector<reference::PixelFragment> fragments;
-    for (std::uint32_t i = lists.first[pixel]; i < lists.first[pixel + 1]; ++i) {
-        reference::PixelFragment fragment;
-        fragment.opacity = static_cast<double>(lists.fragments[i].opacity);
-        fragment.id = lists.fragments[i].primitive;
-        for (std::size_t s = 0; s < lists.samples(); ++s) {
-            fragment.depth[s] = static_cast<double>(lists.depth_at(i, s));
-            if (lists.covers(i, s)) fragment.covered |= 1ull << s;
-        }
-        fragments.push_back(fragment);
-    }
-    return fragments;
-}
 
 // The picture that the oracle's owners make, in the layout of SampleColors.
 Words resolved_by_oracle(const FragmentLists& lists, const ChosenMethod& method)
@@ -60,19 +21,7 @@ Words resolved_by_oracle(const FragmentLists& lists, const ChosenMethod& method)
     const StratifiedSettings settings = stratified_settings(method);
     SampleColors colors = make_backdrop(lists.set.count);
     for (std::uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
-        const std::uint32_t x = static_cast<std::uint32_t>(lists.place.x) + pixel % kTileSize;
-        const std::uint32_t y = static_cast<std::uint32_t>(lists.place.y) + pixel / kTileSize;
-        const std::uint32_t index =
-            settings.dither == Dither::hilbert  ? reference::hilbert_index(x, y, 16384)
-            : settings.dither == Dither::morton ? reference::morton_index(x, y)
-                                                : 0;
-        const std::vector<int> owners =
-            reference::stratified_owners(fragments_of_pixel(lists, pixel),
-                                         {lists.set.count,
-                                          index,
-                                          lists.place.key,
-                                          reference_of(settings.sequence, lists.set.count),
-                                          {settings.tracking, settings.compaction, settings.sort}});
+        const std::vector<int> owners = owners_by_oracle(lists, settings, pixel, lists.place.key);
         for (std::size_t s = 0; s < lists.samples(); ++s) {
             if (owners[s] < 0) continue;
             const ListedFragment& f =
@@ -105,6 +54,8 @@ constexpr const char* kSwitches[] = {
     ":sequence=vegdahl",
     ":sequence=sobol",
     ":sequence=random",
+    ":sequence=systematic",
+    ":sequence=systematic:compaction=off:sort=off",
 };
 
 TEST(StratifiedStore, TakesTheOraclesSamples)

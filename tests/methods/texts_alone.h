@@ -362,6 +362,7 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "stratified-stochastic:tracking=off:sequence=vegdahl",
     "stratified-stochastic:dither=morton:sequence=sobol",
     "stratified-stochastic:sort=off:sequence=random",
+    "stratified-stochastic:sequence=systematic",
     "stratified-stochastic:compaction=off:sort=off:dither=none",
 };
 

@@ -11,7 +11,7 @@ layout(constant_id = 1) const bool kTracking = true;
 layout(constant_id = 2) const bool kCompaction = true;
 layout(constant_id = 3) const bool kSort = true;
 layout(constant_id = 4) const uint kDither = 2;  // none, morton, hilbert
-layout(constant_id = 5) const int kSequence = 0;
+layout(constant_id = 5) const int kSequence = 0;  // 4: systematic numbers
 
 // Of the samples of the group's pixels: whether the fragment is open to them, and what they keep.
 shared bool opens[64];
@@ -32,7 +32,16 @@ uint place_on_curve()
     uint place = pixel % kTilePixels;
     uint x = tile.x + place % kTileSize, y = tile.y + place / kTileSize;
     uint index = kDither == 2 ? hilbert_index(x, y) : kDither == 1 ? morton_index(x, y) : 0u;
-    return reversed_bits(index * uint(kSamples));
+    return reversed_bits(index * (kSequence == 4 ? 1u : uint(kSamples)));
+}
+
+bool takes(float opacity, uint number, uint place, uint surface)
+{
+    if (kSequence == 4) {
+        return systematic_takes(opacity, reference_bits(0, place, surface) >> 8, number);
+    }
+    return stratified_takes(opacity,
+                            reference_bits(kSequence, reversed_bits(number) + place, surface));
 }
 
 void main()
@@ -62,8 +71,7 @@ void main()
         if ((low | high) == 0) continue;
         uint number = stratified_begin(surface, low, high, kTracking);
         number = kCompaction ? number + sooner : at;
-        uint bits = reference_bits(kSequence, reversed_bits(number) + place, surface.id);
-        s = stochastic_insert(s, open && stratified_takes(f.opacity, bits), here);
+        s = stochastic_insert(s, open && takes(f.opacity, number, place, surface.id), here);
     }
     keep(s.color, s.depth, 0.0);
     put(stochastic_resolve(s, kBeyondAny, backdrop()), stochastic_transmittance(s, kBeyondAny));

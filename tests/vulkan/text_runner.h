@@ -44,10 +44,10 @@ public:
             const auto base = static_cast<std::uint32_t>(fragments.size());
             fragments.insert(fragments.end(), lists.fragments.begin(), lists.fragments.end());
             for (std::size_t p = 0; p < kTilePixels; ++p) first.push_back(base + lists.first[p]);
-            const auto [x, y, key] = lists.place;
-            shader_tiles.push_back({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y),
-                                    key, lists.eye.orthographic ? 1u : 0u, lists.eye.znear,
-                                    lists.eye.zfar});
+            const TilePlace& place = lists.place;
+            shader_tiles.push_back(
+                {static_cast<std::uint32_t>(place.x), static_cast<std::uint32_t>(place.y),
+                 place.key, lists.eye.orthographic ? 1u : 0u, lists.eye.znear, lists.eye.zfar});
             const Words behind = words_of(make_backdrop(samples_).values);
             colors.insert(colors.end(), behind.begin(), behind.end());
         }
