@@ -25,5 +25,6 @@ Reproduce reproduce_stratified_figure_6;
 Reproduce reproduce_stratified_figure_8;
 Reproduce reproduce_stratified_figure_9;
 Reproduce reproduce_stratified_figure_10;
+Reproduce reproduce_stratified_combined;
 
 }  // namespace sheer

@@ -65,6 +65,9 @@ constexpr ReproduceEntry kEntries[] = {
      reproduce_stratified_figure_9},
     {"stratified-figure-10", kStratified, "figure 10: the cloth with 4, 16 and 64 samples",
      reproduce_stratified_figure_10},
+    {"stratified-combined", kStratified,
+     "section 6, future work: the multi-pass methods with stratified samples",
+     reproduce_stratified_combined},
 };
 
 }  // namespace
