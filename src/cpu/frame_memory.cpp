@@ -102,10 +102,12 @@ MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::u
                       .threads = threads,
                       .reserved = reserved};
     for (const Take& take : job.takes) {
+        const MethodTraits traits = take.method.traits();
         // The post filter makes one of the transparent part, and needs that.
         needs.pictures += (take.variance ? 2u : 1u) + (take.transparent ? 2u : 0u);
-        if (take.apart && take.method.traits().divides) needs.pictures += 2;  // 20 bytes a pixel
-        if (!take.method.traits().bounded) ++needs.growing_stores;
+        if (take.apart && traits.divides) needs.pictures += 2;  // 20 bytes a pixel
+        if (!traits.bounded) ++needs.growing_stores;
+        needs.reserved += static_cast<std::uint64_t>(traits.bytes_of_tables);
     }
     return plan_memory(needs);
 }

@@ -93,6 +93,14 @@ std::string MethodTraits::bytes_formula() const
     return text.empty() ? "0" : text;
 }
 
+MethodRow with_standard_traits(MethodRow row)
+{
+    ChosenMethod standard{&row, {}};
+    for (const Parameter& p : row.parameters) standard.values.emplace_back(p.standard);
+    row.traits = row.traits_of(standard);
+    return row;
+}
+
 void check_method(const ChosenMethod& method, int samples)
 {
     const auto refusal = method.row->refusal;

@@ -18,7 +18,7 @@ struct Text {
 
 std::shared_ptr<const MaskTable> make_table(int samples)
 {
-    constexpr std::uint32_t kColumns = 2047, kRows = 1001;
+    constexpr std::uint32_t kColumns = kMaskColumns, kRows = kMaskRows;
     auto table = std::make_shared<MaskTable>();
     table->low.reserve(kColumns * kRows);
     if (samples > 32) table->high.reserve(kColumns * kRows);

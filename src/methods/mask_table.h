@@ -8,7 +8,12 @@
 
 namespace sheer {
 
-// Masks by their index: 8 MB, 16 MB for more than 32 samples.
+// Every row, of an opacity, has so many masks.
+inline constexpr int kMaskColumns = 2047, kMaskRows = 1001;
+// Of more than 32 samples; else the half.
+inline constexpr int kMaskTableBytes = kMaskColumns * kMaskRows * 8;
+
+// Masks by their index.
 struct MaskTable {
     std::vector<std::uint32_t> low;
     std::vector<std::uint32_t> high;  // samples 32 to 63, if there are any

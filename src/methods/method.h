@@ -177,6 +177,7 @@ struct MethodTraits {
     std::vector<const char*> pass_names = {"store"};
     // Of the store, a pixel.
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
+    int bytes_of_tables = 0;                // of all stores together, at most
     bool bounded = true;                    // the store does not grow with the number of fragments
     Agreement any_order = Agreement::none;  // of the stores for every order of arrival
     // Of parts with the whole, merged after each pass, which then goes on with what was merged.
@@ -213,6 +214,9 @@ struct MethodRow {
     // if they do. Null: they always do.
     std::string (*refusal)(const ChosenMethod& method, int samples) = nullptr;
 };
+
+// The row with `traits` as `traits_of` has them for the standard values.
+MethodRow with_standard_traits(MethodRow row);
 
 // Throws Error(Fault::input) where the method can't be used with so many samples.
 void check_method(const ChosenMethod& method, int samples);

@@ -1,4 +1,5 @@
 // The row of `stochastic`, whose parameters choose between two stores and two kinds of masks.
+#include "methods/mask_table.h"
 #include "methods/method.h"
 
 namespace sheer {
@@ -45,7 +46,10 @@ MethodTraits traits_of(const ChosenMethod& method)
         traits.merge = passes > 1 ? Agreement::none : traits.any_order;
         traits.bias = corrects ? Bias::neither : Bias::unbiased;
     }
-    if (method.value("masks") == "table") traits.bias = Bias::neither;
+    if (method.value("masks") == "table") {
+        traits.bias = Bias::neither;
+        traits.bytes_of_tables = kMaskTableBytes;
+    }
     const bool waits = method.value("depth-test") == "before" && method.value("masks") != "naive";
     if (waits || is_tracked(method)) {
         traits.any_order = Agreement::none;
@@ -111,42 +115,37 @@ StoreVerbs verbs(TargetSet targets, const ChosenMethod& method, int samples)
 
 MethodRow stochastic_row()
 {
-    MethodRow row{
-        .id = "stochastic",
-        .title = "Stochastic transparency: each fragment takes a random part of its samples",
-        .citation = "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. I3D 2010",
-        .parameters =
-            {{"masks", "naive|stratified|table|tracked|systematic", "stratified",
-              "each sample for itself; as many of S as the opacity says; such masks from a table, "
-              "by the opacity in steps of 1/1000; those of stratified-stochastic; the same with "
-              "sequence=systematic"},
-             {"round", "random|tile-dither", "random",
-              "how their number is rounded: at random, or dithered over squares of 8x8 pixels"},
-             {"seed-by", "depth|primitive|object|object-alone", "primitive",
-              "what a fragment's random numbers depend on, besides its pixel; object: and the side "
-              "that is seen; without it one object's layers hide one another: too transparent"},
-             {"depth-test", "before|after", "after",
-              "whether samples that the fragment loses are left out before their number is drawn"},
-             {"correction", "off|on", "off",
-              "alpha correction: colours scaled to the exact total alpha"},
-             {"depth-based", "off|on", "off",
-              "samples keep depths; all fragments in front of them are added up"},
-             {"sample-passes", "1..16", "1", "passes of S samples each"},
-             {"pass-masks", "joint|independent", "joint",
-              "whether the passes' masks are stratified together, up to 64 samples; tracked ones "
-              "up to any number, and those of one picture's frames too"}},
-        .traits = {},
-        .random = true,
-        .bench_only = false,
-        .verbs = verbs,
-        .traits_of = traits_of,
-        .refusal = refusal};
-    ChosenMethod standard{&row, {}};
-    for (const Parameter& parameter : row.parameters) {
-        standard.values.emplace_back(parameter.standard);
-    }
-    row.traits = traits_of(standard);
-    return row;
+    return with_standard_traits(
+        {.id = "stochastic",
+         .title = "Stochastic transparency: each fragment takes a random part of its samples",
+         .citation = "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. I3D 2010",
+         .parameters =
+             {{"masks", "naive|stratified|table|tracked|systematic", "stratified",
+               "each sample for itself; as many of S as the opacity says; such masks from a table, "
+               "by the opacity in steps of 1/1000; those of stratified-stochastic; the same with "
+               "sequence=systematic"},
+              {"round", "random|tile-dither", "random",
+               "how their number is rounded: at random, or dithered over squares of 8x8 pixels"},
+              {"seed-by", "depth|primitive|object|object-alone", "primitive",
+               "what a fragment's random numbers depend on, besides its pixel; object: and the "
+               "side "
+               "that is seen; without it one object's layers hide one another: too transparent"},
+              {"depth-test", "before|after", "after",
+               "whether samples that the fragment loses are left out before their number is drawn"},
+              {"correction", "off|on", "off",
+               "alpha correction: colours scaled to the exact total alpha"},
+              {"depth-based", "off|on", "off",
+               "samples keep depths; all fragments in front of them are added up"},
+              {"sample-passes", "1..16", "1", "passes of S samples each"},
+              {"pass-masks", "joint|independent", "joint",
+               "whether the passes' masks are stratified together, up to 64 samples; tracked ones "
+               "up to any number, and those of one picture's frames too"}},
+         .traits = {},
+         .random = true,
+         .bench_only = false,
+         .verbs = verbs,
+         .traits_of = traits_of,
+         .refusal = refusal});
 }
 
 }  // namespace sheer

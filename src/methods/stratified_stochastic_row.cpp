@@ -33,38 +33,32 @@ std::string refusal(const ChosenMethod& method, int)
 
 MethodRow stratified_stochastic_row()
 {
-    MethodRow row{
-        .id = "stratified-stochastic",
-        .title = "Stochastic transparency, stratified over pixels, fragments and layers",
-        .citation = "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011",
-        .parameters =
-            {{"tracking", "on|off", "on",
-              "whether fragments that share no sample of a pixel are taken for one surface"},
-             {"dither", "none|morton|hilbert", "hilbert",
-              "the curve through the pixels along which reference values are stratified; none: "
-              "every pixel has the same"},
-             {"compaction", "on|off", "on",
-              "whether the samples that pass the depth test are numbered without gaps; off: by "
-              "their own index"},
-             {"sort", "on|off", "on",
-              "whether samples are numbered in the order of the depths that they keep"},
-             {"sequence", "paper|vegdahl|sobol|random|systematic", "paper",
-              "of reference values: two scrambled ones; Sobol's, biased; independent ones; evenly "
-              "spaced ones from a random start, which are not the paper's"},
-             {"frames", "joint|independent", "joint",
-              "whether the frames of one picture are stratified together"}},
-        .traits = {},
-        .random = true,
-        .bench_only = false,
-        .verbs = verbs,
-        .traits_of = traits_of,
-        .refusal = refusal};
-    ChosenMethod standard{&row, {}};
-    for (const Parameter& parameter : row.parameters) {
-        standard.values.emplace_back(parameter.standard);
-    }
-    row.traits = traits_of(standard);
-    return row;
+    return with_standard_traits(
+        {.id = "stratified-stochastic",
+         .title = "Stochastic transparency, stratified over pixels, fragments and layers",
+         .citation = "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011",
+         .parameters =
+             {{"tracking", "on|off", "on",
+               "whether fragments that share no sample of a pixel are taken for one surface"},
+              {"dither", "none|morton|hilbert", "hilbert",
+               "the curve through the pixels along which reference values are stratified; none: "
+               "every pixel has the same"},
+              {"compaction", "on|off", "on",
+               "whether the samples that pass the depth test are numbered without gaps; off: by "
+               "their own index"},
+              {"sort", "on|off", "on",
+               "whether samples are numbered in the order of the depths that they keep"},
+              {"sequence", "paper|vegdahl|sobol|random|systematic", "paper",
+               "of reference values: two scrambled ones; Sobol's, biased; independent ones; evenly "
+               "spaced ones from a random start, which are not the paper's"},
+              {"frames", "joint|independent", "joint",
+               "whether the frames of one picture are stratified together"}},
+         .traits = {},
+         .random = true,
+         .bench_only = false,
+         .verbs = verbs,
+         .traits_of = traits_of,
+         .refusal = refusal});
 }
 
 }  // namespace sheer
