@@ -65,8 +65,9 @@ Scene make_strips()
     }
     Camera camera;
     camera.orthographic = true;
-    camera.xmag = camera.ymag = kSide / 2;
-    camera.transform[12] = camera.transform[13] = kSide / 2;
+    constexpr float kHalf = 0.5f * kSide;
+    camera.xmag = camera.ymag = kHalf;
+    camera.transform[12] = camera.transform[13] = kHalf;
     camera.transform[14] = 1;
     scene.cameras = {camera};
     scene.background = {0, 0, 0, 1};

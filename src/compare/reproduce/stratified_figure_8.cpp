@@ -88,12 +88,13 @@ void add_layers(Page& page, const ReproduceJob& job)
         for (const int count : {8, 64}) {
             for (const std::string order : {"near-to-far", "far-to-near", "random"}) {
                 // Of two colours in turn, so that it matters which layer takes a sample.
-                std::string colors;
-                for (int i = 0; i < count; ++i) colors += i % 2 == 0 ? "1,1,0;" : "1,0,1;";
-                colors.pop_back();
-                const Scene scene = load("builtin:layers?n=" + std::to_string(count) +
-                                         "&alpha=" + fixed(opacity, 2) + "&color=" + colors +
-                                         "&background=0,0,0&order=" + order);
+                std::string source = "builtin:layers?n=" + std::to_string(count) +
+                                     "&alpha=" + fixed(opacity, 2) + "&background=0,0,0&order=";
+                source += order;
+                source += "&color=";
+                for (int i = 0; i < count; ++i) source += i % 2 == 0 ? "1,1,0;" : "1,0,1;";
+                source.pop_back();
+                const Scene scene = load(source);
                 table.rows.push_back({number(opacity, 2), whole(count), words(order)});
                 const auto cells = cells_of(compare(scene, view, seeds, job));
                 table.rows.back().insert(table.rows.back().end(), cells.begin(), cells.end());

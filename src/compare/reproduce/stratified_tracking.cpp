@@ -73,8 +73,9 @@ Scene make_scene(const Case& c, bool a_in_front)
     }
     Camera camera;
     camera.orthographic = true;
-    camera.xmag = camera.ymag = kSide / 2;
-    camera.transform[12] = camera.transform[13] = kSide / 2;
+    constexpr float kHalf = 0.5f * kSide;
+    camera.xmag = camera.ymag = kHalf;
+    camera.transform[12] = camera.transform[13] = kHalf;
     scene.cameras = {camera};
     scene.background = {0, 0, 0, 1};
     return scene;
