@@ -52,8 +52,8 @@ SHEER_FN whole hilbert_index(whole x, whole y)
     return index;
 }
 
-// The same of Morton's curve, x in the lower bits. Its squares are all alike inside, so that even
-// rows have other values than odd ones.
+// The same of Morton's curve, x in the lower bits. Its squares are all alike inside, which
+// shows as stripes.
 SHEER_FN whole morton_index(whole x, whole y)
 {
     whole index = whole(0u);
