@@ -119,8 +119,15 @@ struct Mesh {
 
 inline constexpr float kDefaultLineWidth = 1.5f;  // pixels
 
+// What a file puts objects below: a machine's part, a tree's branch.
+struct Group {
+    std::string name;
+    std::int32_t parent = -1;  // in Scene::groups, before this one; -1: none
+};
+
 struct Object {
     std::string name;
+    std::int32_t group = -1;  // in Scene::groups; -1: none
     std::uint32_t mesh = 0;
     Mat4 transform = kIdentity;  // object to world; the last row is 0 0 0 1
     // Stable identity. Ties in depth are broken by it (the smaller is in front), then by the
@@ -175,6 +182,7 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;  // in the order of submission
+    std::vector<Group> groups;    // looked at by set_opacity alone
     std::vector<Camera> cameras;
     Sun sun;
     Sky sky;

@@ -30,8 +30,9 @@ struct LoadOptions {
 // is no such scene or when it is broken.
 Scene load(const std::string& source, const LoadOptions& options = {});
 
-// Sets Object::opacity, in [0, 1], of the objects whose own, mesh's or material's name matches the
-// pattern from end to end: * stands for any text, ? for one character. Returns how many match.
+// Sets Object::opacity, in [0, 1], of the objects whose own, mesh's, material's or a group's name
+// matches the pattern from end to end: * stands for any text, ? for one character. Returns how many
+// match.
 std::size_t set_opacity(Scene& scene, std::string_view pattern, float opacity);
 
 // Draws as AlphaMode::blend what is AlphaMode::mask: the ground truth of papers on alpha tests.

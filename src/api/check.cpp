@@ -180,11 +180,21 @@ void check_scene(const Scene& scene)
     if (scene.background && (*scene.background)[3] > 1) {
         refuse("the scene's background has an alpha above 1");
     }
+    const auto is_group = [](std::int32_t group, std::size_t count) {
+        return group >= -1 && group < static_cast<std::int64_t>(count);
+    };
+    for (std::size_t i = 0; i < scene.groups.size(); ++i) {
+        if (!is_group(scene.groups[i].parent, i)) {
+            refuse("group " + std::to_string(i) + ": its parent is not a group before it");
+        }
+    }
     std::unordered_set<std::uint32_t> ids;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const std::string name = "object " + std::to_string(i);
         if (object.mesh >= scene.meshes.size()) refuse(name + ": its mesh does not exist");
+        if (!is_group(object.group, scene.groups.size()))
+            refuse(name + ": its group does not exist");
         if (!ids.insert(object.id).second) {
             refuse(name + ": its id " + std::to_string(object.id) + " is taken");
         }

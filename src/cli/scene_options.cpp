@@ -37,6 +37,11 @@ std::string some_names(const Scene& scene)
     };
     for (const Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[object.mesh];
+        for (std::int32_t g = object.group; g >= 0;) {
+            const Group& group = scene.groups[static_cast<std::size_t>(g)];
+            add(group.name);
+            g = group.parent;
+        }
         add(object.name);
         add(mesh.name);
         add(scene.materials[mesh.material].name);
@@ -54,8 +59,8 @@ std::string some_names(const Scene& scene)
 void apply(const OpacityRule& rule, Scene& scene)
 {
     if (set_opacity(scene, rule.pattern, rule.opacity) > 0 || rule.pattern == kEverything) return;
-    throw Error(Fault::input, "--opacity: no object, mesh or material is called '" + rule.pattern +
-                                  "'; " + some_names(scene));
+    throw Error(Fault::input, "--opacity: no object, group, mesh or material is called '" +
+                                  rule.pattern + "'; " + some_names(scene));
 }
 
 }  // namespace
@@ -94,8 +99,9 @@ void add_override_options(CLI::App& command, SceneOptions& given)
                 }
             },
             "See through objects: give them the opacity A. Those\n"
-            "whose own, mesh's or material's name is NAME-PATTERN\n"
-            "(* and ? stand for any text and character), or all;\n"
+            "whose own, parent node's, mesh's or material's name is\n"
+            "NAME-PATTERN (* and ? stand for any text and character),\n"
+            "or all;\n"
             "may be given again, the last that matches counts")
         ->allow_extra_args(false)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)

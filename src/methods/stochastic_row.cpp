@@ -50,6 +50,8 @@ MethodTraits traits_of(const ChosenMethod& method)
         traits.bias = Bias::neither;
         traits.bytes_of_tables = kMaskTableBytes;
     }
+    // Fragments of one seed take the same samples of a pixel.
+    if (method.value("seed-by") != "primitive") traits.bias = Bias::neither;
     const bool waits = method.value("depth-test") == "before" && method.value("masks") != "naive";
     if (waits || is_tracked(method)) {
         traits.any_order = Agreement::none;
@@ -128,8 +130,7 @@ MethodRow stochastic_row()
                "how their number is rounded: at random, or dithered over squares of 8x8 pixels"},
               {"seed-by", "depth|primitive|object|object-alone", "primitive",
                "what a fragment's random numbers depend on, besides its pixel; object: and the "
-               "side "
-               "that is seen; without it one object's layers hide one another: too transparent"},
+               "side that is seen; layers of equal depth, or of one object, hide one another"},
               {"depth-test", "before|after", "after",
                "whether samples that the fragment loses are left out before their number is drawn"},
               {"correction", "off|on", "off",

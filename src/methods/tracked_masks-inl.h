@@ -207,9 +207,12 @@ private:
             pixel.surface, static_cast<std::uint32_t>(open),
             Samples > 32 ? static_cast<std::uint32_t>(open >> 32) : 0, settings_.tracking);
         const auto count = static_cast<std::uint32_t>(std::popcount(open));
-        const std::uint32_t end = settings_.compaction ? first + count : Samples;
-        taken_[k] = outcomes<Samples>(pixel, f.opacity[i], end);
-        if (settings_.compaction) taken_[k] = taken_[k] >> first & ((2ull << (count - 1)) - 1);
+        if (!settings_.compaction) {
+            taken_[k] = outcomes<Samples>(pixel, f.opacity[i], 0, Samples);
+            return;
+        }
+        taken_[k] = outcomes<Samples>(pixel, f.opacity[i], first, first + count) >> first &
+                    ((2ull << (count - 1)) - 1);
     }
 
     // Leaves the candidates that take samples; their numbers become samples. Returns how many there
@@ -235,22 +238,25 @@ private:
         return left;
     }
 
-    // Whether numbers 0 to `end` - 1, and perhaps some more, take their samples: bit by bit.
+    // Whether numbers `first` to `end` - 1, and perhaps others, take their samples: bit by bit.
     template <int Samples>
-    HWY_INLINE std::uint64_t outcomes(const Pixel& pixel, float opacity, std::uint32_t end) const
+    HWY_INLINE std::uint64_t outcomes(const Pixel& pixel, float opacity, std::uint32_t first,
+                                      std::uint32_t end) const
     {
         std::uint64_t bits = 0;
-        if (Samples <= L::kCount) end = Samples;  // one vector
+        constexpr std::uint32_t kCount = L::kCount;
+        first = Samples <= kCount ? 0 : first / kCount * kCount;
+        if (Samples <= kCount) end = Samples;  // one vector
         if (is_systematic()) {
             const whole start(LoneText::reference_bits(0, pixel.place, pixel.surface.id) >> 8);
-            for (std::uint32_t n = 0; n < end; n += L::kCount) {
+            for (std::uint32_t n = first; n < end; n += kCount) {
                 const auto takes =
                     Text::systematic_takes(real(opacity), start, L::iota() + whole(n));
                 bits |= static_cast<std::uint64_t>(takes.bits()) << n;
             }
             return bits;
         }
-        for (std::size_t n = 0; n < end; n += L::kCount) {
+        for (std::size_t n = first; n < end; n += kCount) {
             const whole numbers = whole::load(reversed_.data() + n) + whole(pixel.place);
             const whole reference = Text::reference_bits(static_cast<int>(settings_.sequence),
                                                          numbers, whole(pixel.surface.id));
@@ -291,7 +297,7 @@ private:
             for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
                 // Of equal depths the smaller sample is sooner.
                 const whole least = of_t - whole::load(is_later_.data() + 63 - t + b * L::kCount);
-                left[b] = left[b] - L::zero_unless(least < key[b], whole(1));
+                left[b] = left[b] + L::zero_unless(least < key[b], whole(-1));
             }
         };
         if constexpr (Samples <= kFew) {

@@ -1,5 +1,6 @@
 // Changes to a scene that was read: what of it is to be seen through.
 #include <string_view>
+#include <vector>
 
 #include <sheer/sheer.h>
 
@@ -49,9 +50,16 @@ bool matches(std::string_view pattern, std::string_view text)
 std::size_t set_opacity(Scene& scene, std::string_view pattern, float opacity)
 {
     std::size_t count = 0;
+    std::vector<char> in_match;  // of the groups
+    for (const Group& group : scene.groups) {
+        const bool inherits = group.parent >= 0 && in_match[static_cast<std::size_t>(group.parent)];
+        in_match.push_back(inherits || matches(pattern, group.name));
+    }
     for (Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[object.mesh];
-        if (!matches(pattern, object.name) && !matches(pattern, mesh.name) &&
+        const bool grouped =
+            object.group >= 0 && in_match[static_cast<std::size_t>(object.group)] != 0;
+        if (!grouped && !matches(pattern, object.name) && !matches(pattern, mesh.name) &&
             !matches(pattern, scene.materials[mesh.material].name)) {
             continue;
         }

@@ -129,9 +129,10 @@ TEST_F(SceneOptionsTest, OpacityThatIsNone)
         EXPECT_EQ(said("near=-0.5"), "sheer: --opacity: '-0.5' is not between 0 and 1\n");
         EXPECT_EQ(said("near"), "sheer: --opacity: 'near' is not a finite number\n");
         EXPECT_EQ(said("near=nan"), "sheer: --opacity: 'nan' is not a finite number\n");
-        EXPECT_EQ(said("door*=1"),
-                  "sheer: --opacity: no object, mesh or material is called 'door*'; there are "
-                  "'near', 'pane', 'glass', 'far', 'wall', 'stone=grey'\n");
+        EXPECT_EQ(
+            said("door*=1"),
+            "sheer: --opacity: no object, group, mesh or material is called 'door*'; there are "
+            "'near', 'pane', 'glass', 'far', 'wall', 'stone=grey'\n");
     }
 }
 

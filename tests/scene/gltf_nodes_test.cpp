@@ -30,6 +30,12 @@ TEST(GltfNodes, ChoosesTheScene)
     Builder builder = nodes_with_a_mesh(3);
     builder.json["nodes"][0]["children"] = {2};
     EXPECT_EQ(names(read(builder)), "n0n2n1");  // no scenes: every root
+    const Scene all = read(builder);
+    ASSERT_EQ(all.groups.size(), 3u);
+    EXPECT_EQ(all.objects[1].group, 0);  // n2's parent
+    EXPECT_EQ(all.groups[0].name, "n0");
+    EXPECT_EQ(all.objects[0].group, -1);
+    EXPECT_EQ(all.objects[2].group, -1);
     builder.json["scenes"] = {{{"nodes", {1}}}, {{"nodes", {0}}}};
     EXPECT_EQ(names(read(builder)), "n1");  // no choice: the first
     builder.json["scene"] = 1;

@@ -190,7 +190,8 @@ TEST(Mtl, WhatIsNotDrawnIsNoted)
               (std::vector<std::string>{"colours given as spectral: 1, not read",
                                         "images that are neither PNG nor JPEG: 1, drawn without "
                                         "them",
-                                        "images that are not there: 1, drawn without them",
+                                        "images that are not in the file's folder: 1, drawn "
+                                        "without them",
                                         "materials with map_Bump: 1, drawn without it"}));
     EXPECT_TRUE(scene.images.empty());
 }
@@ -203,13 +204,14 @@ TEST(Mtl, NothingOutsideOfTheFolderIsRead)
     scenery.write("a.mtl", "newmtl m\nmap_Kd " + scenery.path() + "/a.png\n");
     const std::string path = scenery.path() + "/inner/b.obj";
     EXPECT_EQ(read_obj(path, read_file(path)).ignored,
-              (std::vector<std::string>{"material libraries that are not there: 1, drawn without "
-                                        "them",
+              (std::vector<std::string>{"material libraries that are not in the file's folder: 1, "
+                                        "drawn without them",
                                         "materials that no library has: 1, drawn grey"}));
     scenery.write("inner/a.mtl", "newmtl m\nmap_Kd " + scenery.path() + "/a.png\n");
     const Scene scene = read_obj(path, read_file(path));
     EXPECT_EQ(scene.ignored,
-              (std::vector<std::string>{"images that are not there: 1, drawn without them"}));
+              (std::vector<std::string>{"images that are not in the file's folder: 1, drawn "
+                                        "without them"}));
     EXPECT_EQ(scene.materials[0].shading, Shading::metallic_roughness);
     // Links count for where they lead.
     scenery.write("inner/a.mtl", "newmtl m\nmap_Kd link.png\n");

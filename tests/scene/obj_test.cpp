@@ -173,8 +173,8 @@ TEST(Obj, WhatIsNotDrawnIsNoted)
               (std::vector<std::string>{"faces of fewer than 3 corners: 1, not drawn",
                                         "free-form curves and surfaces: 1, not drawn",
                                         "lines of fewer than 2 points: 1, not drawn",
-                                        "material libraries that are not there: 1, "
-                                        "drawn without them"}));
+                                        "material libraries that are not in the file's "
+                                        "folder: 1, drawn without them"}));
     EXPECT_EQ(scene.meshes.size(), 1u);
 }
 

@@ -85,6 +85,24 @@ TEST(SetOpacity, AnyOfThreeNamesWillDo)
     for (const Object& object : scene.objects) EXPECT_EQ(object.opacity, 1.0f);
 }
 
+TEST(SetOpacity, GroupsNameWhatIsBelowThem)
+{
+    Scene scene;
+    add(scene, "a", "", "");
+    add(scene, "b", "", "");
+    add(scene, "c", "", "");
+    scene.groups = {{"machine", -1}, {"arm", 0}, {"hand", 1}, {"foot", 0}};
+    scene.objects[0].group = 2;
+    scene.objects[1].group = 3;
+    const auto matching = [&](const char* pattern) { return set_opacity(scene, pattern, 0.5f); };
+    EXPECT_EQ(matching("machine"), 2u);
+    EXPECT_EQ(matching("arm"), 1u);
+    EXPECT_EQ(matching("foot"), 1u);
+    EXPECT_EQ(matching("?a*"), 2u);  // hand and machine
+    EXPECT_EQ(matching("c"), 1u);
+    EXPECT_EQ(matching("leg"), 0u);
+}
+
 TEST(MaskAsBlend, ChangesMasksAlone)
 {
     Scene scene;

@@ -98,25 +98,26 @@ std::vector<PlacedNode> place_nodes(Import& import)
     std::vector<PlacedNode> placed;
     std::vector<PlacedNode> waiting;  // with the parent's matrix; the next one last
     std::vector<bool> reached(document.count("nodes"), false);
-    const auto reach = [&](std::size_t number, const Matrix& parent) {
+    const auto reach = [&](std::size_t number, const Matrix& world, std::int32_t parent) {
         if (reached[number]) {
             document.item("nodes", number).fail("is reached twice: nodes must form trees");
         }
         reached[number] = true;
-        waiting.push_back({number, parent});
+        waiting.push_back({number, world, parent});
     };
     const std::vector<std::size_t> roots = root_nodes(import);
-    for (std::size_t i = roots.size(); i > 0; --i) reach(roots[i - 1], kIdentityMatrix);
+    for (std::size_t i = roots.size(); i > 0; --i) reach(roots[i - 1], kIdentityMatrix, -1);
     while (!waiting.empty()) {
         const PlacedNode next = waiting.back();
         waiting.pop_back();
         const Value node = document.item("nodes", next.number);
         const Matrix world = multiply(next.world, local_matrix(import, node));
-        placed.push_back({next.number, world});
+        const auto own = static_cast<std::int32_t>(placed.size());
+        placed.push_back({next.number, world, next.parent});
         note_extensions(import, node, "nodes");
         const auto children = node.find("children");
         for (std::size_t c = children ? children->size() : 0; c > 0; --c) {
-            reach(document.index_in("nodes", (*children)[c - 1]), world);
+            reach(document.index_in("nodes", (*children)[c - 1]), world, own);
         }
     }
     return placed;

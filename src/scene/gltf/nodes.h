@@ -11,6 +11,7 @@ namespace sheer::gltf {
 struct PlacedNode {
     std::size_t number;  // in the file's list
     Matrix world;
+    std::int32_t parent;  // among the placed nodes; -1: none
 };
 
 // The default scene's nodes, a node before its children, children in their order.

@@ -62,24 +62,25 @@ public:
             Shape shape = {morph_weights(import_.document.item("meshes", mesh), node), skin,
                            determinant(placed.world) < 0};
             const auto meshes = read_mesh(import_, import_.document.item("meshes", mesh), shape);
-            add(node, meshes, kIdentityMatrix);
+            add(node, placed.parent, meshes, kIdentityMatrix);
             return;
         }
         const MeshNumbers& meshes = shared_meshes(node, mesh);
-        if (!instances) add(node, meshes, placed.world);
+        if (!instances) add(node, placed.parent, meshes, placed.world);
         for (std::size_t i = 0; instances && i < instances->size(); ++i) {
-            add(node, meshes, multiply(placed.world, (*instances)[i]));
+            add(node, placed.parent, meshes, multiply(placed.world, (*instances)[i]));
         }
     }
 
 private:
-    void add(const Value& node, const MeshNumbers& meshes, const Matrix& world)
+    void add(const Value& node, std::int32_t group, const MeshNumbers& meshes, const Matrix& world)
     {
         Scene& scene = import_.scene;
         for (const std::uint32_t mesh : meshes) {
             limits_.count(node, scene.meshes[mesh]);
             Object object;
             object.name = name_of(node);
+            object.group = group;
             object.mesh = mesh;
             object.transform = require_float(node, world);
             object.id = static_cast<std::uint32_t>(scene.objects.size());
@@ -119,6 +120,10 @@ private:
 
 void place_objects(Import& import, const std::vector<PlacedNode>& nodes)
 {
+    for (const PlacedNode& placed : nodes) {
+        import.scene.groups.push_back(
+            {name_of(import.document.item("nodes", placed.number)), placed.parent});
+    }
     Objects objects(import, nodes);
     for (const PlacedNode& placed : nodes) objects.place(placed);
 }

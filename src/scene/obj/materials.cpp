@@ -91,7 +91,9 @@ std::optional<std::uint32_t> Materials::load(const std::string& name)
 {
     const std::optional<std::string> path = find_file(base_, name, options_.allow_any_file);
     if (!path) {
-        notes_.add("images that are not there", "drawn without them");
+        notes_.add(options_.allow_any_file ? "images that are not there"
+                                           : "images that are not in the file's folder",
+                   "drawn without them");
         return std::nullopt;
     }
     if (const auto known = loaded_.find(*path); known != loaded_.end()) return known->second;

@@ -219,7 +219,10 @@ private:
     {
         const std::optional<std::string> path = find_file(path_, name, options_.allow_any_file);
         if (!path) {
-            notes_.add("material libraries that are not there", "drawn without them");
+            notes_.add(options_.allow_any_file
+                           ? "material libraries that are not there"
+                           : "material libraries that are not in the file's folder",
+                       "drawn without them");
         } else if (libraries_.insert(*path).second) {
             read_mtl(*path, read_file(*path), library_, notes_);
         }
