@@ -63,6 +63,16 @@ void insert_in_streams(Tile& tile, std::span<const Plate> plates, std::mt19937& 
     }
 }
 
+// So many, and so faint where the row says that many are exact, that the next ones show.
+Plates plates_to_tell_by(const Setting& setting, std::mt19937& random)
+{
+    const int exact_up_to = setting.method.traits().exact_up_to;
+    Plates plates = RandomPlates{*setting.set, random}.make(std::max(40, 6 * exact_up_to));
+    if (exact_up_to < 8) return plates;
+    for (Plate& plate : plates) plate.color[3] *= 0.1f;
+    return plates;
+}
+
 using Parts = std::vector<std::unique_ptr<Tile>>;
 
 // Two to five parts, some of them empty, of fragments that follow one another.
@@ -157,7 +167,7 @@ TEST(Laws, OrderOfArrivalMattersAsTheRowSays)
 {
     for_each_setting([](const Setting& setting, std::mt19937& random) {
         const Agreement claim = setting.method.traits().any_order;
-        Plates plates = RandomPlates{*setting.set, random}.make(40);
+        Plates plates = plates_to_tell_by(setting, random);
         const Colors backdrop = random_backdrop(*setting.set, random);
         const Colors expected = resolve_plates(setting, plates, backdrop);
         const double bound = rounding_bound(setting.method, plates.size()).reordered;

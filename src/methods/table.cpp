@@ -14,11 +14,15 @@ StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int sample
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
+MethodRow k_buffer_row();
+MethodRow hybrid_row();
+MethodRow mlab_row();
+MethodRow adaptive_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 8> kTable = {{
+    static const std::array<MethodRow, 12> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -56,6 +60,10 @@ std::span<const MethodRow> method_table()
          .colored_verbs = exact_colored_verbs},
         stochastic_row(),
         stratified_stochastic_row(),
+        k_buffer_row(),
+        hybrid_row(),
+        mlab_row(),
+        adaptive_row(),
         {.id = "weighted-average",
          .title = "Weighted average: every layer counts alike",
          .citation = "Bavoil and Myers. Order Independent Transparency with Dual Depth Peeling. "

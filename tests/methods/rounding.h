@@ -29,6 +29,14 @@
 //               Alpha corrected: the mean of those, P + 4, times 1 - T, 2 n + 2, and T B.
 //               Depth-based: two sums of n P terms, 2 (n P + 2), or, uncorrected, one, whose size
 //               is up to n M.
+// layers        One over the other, c = c_A + (1 - A) c_B and A + (1 - A) B: n premultiplied
+// colours, of
+//               each of which the sums make n, 1 - A and the products 2 n; A is off by 3 n, of
+//               which each part counts once more in what lies behind; T = 1 - A and T B: 9 n + 4.
+//               A tail in addition: as the weighted average. A core's colour that is scaled by
+//               (1 - T) / A: both sides of C / A are relatively as wrong, 6 n + 1, T by 5 n + 2,
+//               the three operations, and T B.
+// adaptive      Each term's T is a product as in `exact`, 2 n; the terms 3 and their sum n.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -67,6 +75,13 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         formula = 2 * n + 2 + n + backdrop;
     } else if (id == "weighted-average") {
         formula = 2 * (n + 2) + 2 * (4 * n + 1) + 6;
+    } else if (id == "mlab" || id == "k-buffer") {
+        formula = 9 * n + 4;
+    } else if (id == "adaptive") {
+        formula = 3 * n + 3 + backdrop;
+    } else if (id == "hybrid") {
+        formula = method.value("tail") == "none" ? 2 * (6 * n + 1) + 2 * (5 * n + 2) + 3 + 2
+                                                 : 9 * n + 4 + 2 * (n + 2) + 2 * (4 * n + 1) + 6;
     } else if (id == "wboit") {
         weights = 2 * weight_roundings(method.value("weight"));
         formula = weights + 2 * (n + 2) + 2 * n + 6 + backdrop;

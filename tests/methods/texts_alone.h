@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "methods/fragment_lists.h"
+#include "methods/layered_alone.h"
 #include "methods/stratified_alone.h"
 #include "lanes/lone.h"
 
@@ -30,6 +31,11 @@ struct Texts {
 #include "sheer/alpha_correction.glsl"
 #include "sheer/stochastic_depth.glsl"
 #include "sheer/stratified_stochastic.glsl"
+#include "sheer/layers.glsl"
+#include "sheer/mlab.glsl"
+#include "sheer/k_buffer.glsl"
+#include "sheer/hybrid.glsl"
+#include "sheer/adaptive.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -336,6 +342,10 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     }
     if (id == "stochastic") return make_alone<L, StochasticAlone>(lists, method);
     if (id == "stratified-stochastic") return make_alone<L, StratifiedAlone>(lists, method);
+    if (id == "mlab") return make_alone<L, MlabAlone>(lists, method);
+    if (id == "k-buffer") return make_alone<L, KBufferAlone>(lists, method);
+    if (id == "hybrid") return make_alone<L, HybridAlone>(lists, method);
+    if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }
 
@@ -364,6 +374,18 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "stratified-stochastic:sort=off:sequence=random",
     "stratified-stochastic:sequence=systematic",
     "stratified-stochastic:compaction=off:sort=off:dither=none",
+    "mlab",
+    "mlab:layers=1",
+    "k-buffer",
+    "k-buffer:layers=1",
+    "k-buffer:layers=3:merge=nearest-two",
+    "k-buffer:layers=2:merge=discard",
+    "hybrid",
+    "hybrid:layers=1:tail=total",
+    "hybrid:layers=2:tail=none",
+    "adaptive",
+    "adaptive:nodes=1",
+    "adaptive:nodes=3",
 };
 
 }  // namespace sheer::test

@@ -125,6 +125,17 @@ private:
             all.push_back({3, method.value("round") == "tile-dither" ? 1u : 0u});
             all.push_back({4, method.value("correction") == "on" ? 1u : 0u});
         }
+        if (id == "mlab" || id == "k-buffer" || id == "hybrid") {
+            all.push_back({1, static_cast<std::uint32_t>(method.number("layers"))});
+        }
+        if (id == "adaptive") {
+            all.push_back({1, static_cast<std::uint32_t>(method.number("nodes"))});
+        }
+        if (id == "k-buffer") {
+            const std::string& merge = method.value("merge");
+            all.push_back({2, merge == "front" ? 0u : merge == "nearest-two" ? 1u : 2u});
+        }
+        if (id == "hybrid") all.push_back({2, static_cast<std::uint32_t>(hybrid_kind(method))});
         if (id == "stratified-stochastic") {
             const StratifiedSettings settings = stratified_settings(method);
             all.push_back({1, settings.tracking ? 1u : 0u});

@@ -1,0 +1,136 @@
+// The rows of the methods that keep a few layers at each sample.
+#include "methods/method.h"
+
+namespace sheer {
+
+StoreVerbs k_buffer_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs hybrid_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs mlab_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs adaptive_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+
+namespace {
+
+constexpr int kLayerBytes = 24;
+constexpr Parameter kLayers = {"layers", "1..32", "4", "kept at each sample, near to far"};
+
+MethodRow with_standard_traits(MethodRow row)
+{
+    ChosenMethod standard{&row, {}};
+    for (const Parameter& parameter : row.parameters) {
+        standard.values.emplace_back(parameter.standard);
+    }
+    row.traits = row.traits_of(standard);
+    return row;
+}
+
+// With the number of layers that there are in a pixel.
+MethodTraits layered_traits(const ChosenMethod& method)
+{
+    MethodTraits traits;
+    traits.bytes_per_sample = kLayerBytes * method.number("layers");
+    traits.bytes_besides = 4;
+    traits.exact_up_to = method.number("layers");
+    return traits;
+}
+
+MethodTraits mlab_traits(const ChosenMethod& method)
+{
+    MethodTraits traits = layered_traits(method);
+    ++traits.exact_up_to;
+    return traits;
+}
+
+MethodTraits k_buffer_traits(const ChosenMethod& method)
+{
+    MethodTraits traits = layered_traits(method);
+    if (method.value("merge") == "front") traits.bytes_per_sample += 16;
+    if (method.value("merge") == "discard") {
+        traits.any_order = Agreement::bits;
+        traits.merge = Agreement::bits;
+    } else {
+        ++traits.exact_up_to;
+    }
+    return traits;
+}
+
+MethodTraits hybrid_traits(const ChosenMethod& method)
+{
+    MethodTraits traits = layered_traits(method);
+    traits.bytes_per_sample += 24;
+    traits.any_order = Agreement::rounding;
+    traits.merge = Agreement::rounding;
+    if (method.value("tail") != "none") ++traits.exact_up_to;
+    return traits;
+}
+
+MethodTraits adaptive_traits(const ChosenMethod& method)
+{
+    MethodTraits traits;
+    traits.passes = 2;
+    traits.pass_names = {"visibility", "accumulation"};
+    traits.bytes_per_sample = 12 * method.number("nodes") + 12;
+    traits.bytes_besides = 4;
+    traits.exact_up_to = method.number("nodes");
+    // One step is at the nearest fragment, whoever came first.
+    if (traits.exact_up_to == 1) traits.any_order = traits.merge = Agreement::rounding;
+    return traits;
+}
+
+}  // namespace
+
+MethodRow k_buffer_row()
+{
+    return with_standard_traits(
+        {.id = "k-buffer",
+         .title = "k-buffer: a few layers, of which the nearest gives way",
+         .citation = "Bavoil, Callahan, Lefohn, Comba and Silva. Multi-Fragment Effects on the GPU "
+                     "Using the k-Buffer. I3D 2007",
+         .parameters = {kLayers,
+                        {"merge", "front|nearest-two|discard", "front",
+                         "of a layer too many: the nearest goes to an accumulator in front of "
+                         "all, the two nearest become one, or the farthest is forgotten"}},
+         .traits = {},
+         .verbs = k_buffer_verbs,
+         .traits_of = k_buffer_traits});
+}
+
+MethodRow hybrid_row()
+{
+    return with_standard_traits(
+        {.id = "hybrid",
+         .title = "Hybrid transparency: the nearest layers exactly, an average of all others",
+         .citation = "Maule, Comba, Torchelsen and Bastos. Hybrid Transparency. I3D 2013",
+         .parameters = {kLayers,
+                        {"tail", "maule|total|none", "maule",
+                         "how opaque the others are: as equal ones would be, as they are; or the "
+                         "layers' colour is scaled to what all cover"}},
+         .traits = {},
+         .verbs = hybrid_verbs,
+         .traits_of = hybrid_traits});
+}
+
+MethodRow mlab_row()
+{
+    return with_standard_traits(
+        {.id = "mlab",
+         .title = "Multi-layer alpha blending: a few layers, of which the farthest two become one",
+         .citation = "Salvi and Vaidyanathan. Multi-Layer Alpha Blending. I3D 2014",
+         .parameters = {kLayers},
+         .traits = {},
+         .verbs = mlab_verbs,
+         .traits_of = mlab_traits});
+}
+
+MethodRow adaptive_row()
+{
+    return with_standard_traits(
+        {.id = "adaptive",
+         .title = "Adaptive transparency: visibility as a curve of a few steps",
+         .citation = "Salvi, Montgomery and Lefohn. Adaptive Transparency. HPG 2011",
+         .parameters = {{"nodes", "1..32", "8", "steps of the curve at each sample"}},
+         .traits = {},
+         .verbs = adaptive_verbs,
+         .traits_of = adaptive_traits});
+}
+
+}  // namespace sheer
