@@ -107,7 +107,10 @@ void TilePasses::draw(const TileSetting& setting, TileStore& store, SampleColors
 bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileStore& store)
 {
     std::uint64_t fragments = 0;
-    for (std::size_t p = 0; p < store.storing.size(); ++p) {
+    const auto done = [&] {
+        return store.verbs->done != nullptr && store.verbs->done(store.store.get());
+    };
+    for (std::size_t p = 0; p < store.storing.size() && (p == 0 || !done()); ++p) {
         const int pass = static_cast<int>(p);
         Stopwatch& storing = store.storing[p];
         fragments = 0;

@@ -113,6 +113,8 @@ struct StoreVerbs {
     bool (*insert)(void* store, const FragmentStream& stream, int pass);
     void (*merge)(void* store, const void* other);
     void (*resolve)(void* store, SampleColors& backdrop);
+    // After a pass: whether further ones would change nothing. Null: all are needed.
+    bool (*done)(const void* store) = nullptr;
 };
 
 template <class Store>
@@ -139,6 +141,9 @@ StoreVerbs verbs_of()
     verbs.resolve = [](void* store, SampleColors& backdrop) {
         static_cast<Store*>(store)->resolve(backdrop);
     };
+    if constexpr (requires(const Store& store) { store.done(); }) {
+        verbs.done = [](const void* store) { return static_cast<const Store*>(store)->done(); };
+    }
     return verbs;
 }
 
@@ -172,7 +177,7 @@ struct Parameter {
 
 // What a method promises. May depend on its parameters.
 struct MethodTraits {
-    int passes = 1;  // over the fragments
+    int passes = 1;  // over the fragments; at most, where StoreVerbs::done says so
     // Names of the passes, which go round.
     std::vector<const char*> pass_names = {"store"};
     // Of the store, a pixel.

@@ -149,7 +149,8 @@ inline Words resolved_by_store(const FragmentLists& lists, const std::string& me
     const StoreVerbs verbs = method.row->verbs(targets, method, lists.set.count);
     const auto store = verbs.make({&lists.set, &method, lists.eye, lists.stream.capacity});
     verbs.clear(store.get(), lists.place);
-    for (int pass = 0; pass < method.traits().passes; ++pass) {
+    const auto done = [&] { return verbs.done != nullptr && verbs.done(store.get()); };
+    for (int pass = 0; pass < method.traits().passes && (pass == 0 || !done()); ++pass) {
         verbs.insert(store.get(), lists.stream, pass);
     }
     const bool divides = method.traits().divides;

@@ -188,7 +188,8 @@ public:
     SampleColors resolve_samples(const Colors& backdrop)
     {
         const MethodTraits traits = setting_.method.traits();
-        for (; pass_ < traits.passes; ++pass_) insert_again(pass_);
+        const auto done = [&] { return verbs_.done != nullptr && verbs_.done(store_.get()); };
+        for (; pass_ < traits.passes && !done(); ++pass_) insert_again(pass_);
         SampleColors colors(setting_.set->count, traits.divides);
         std::copy(backdrop.begin(), backdrop.end(), colors.values.data());
         verbs_.resolve(store_.get(), colors);
