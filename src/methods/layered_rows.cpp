@@ -7,6 +7,8 @@ StoreVerbs k_buffer_verbs(TargetSet targets, const ChosenMethod& method, int sam
 StoreVerbs hybrid_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs mlab_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs adaptive_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs dual_depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 
 namespace {
 
@@ -76,7 +78,59 @@ MethodTraits adaptive_traits(const ChosenMethod& method)
     return traits;
 }
 
+// `layers`: that a pass finds.
+MethodTraits peeling_traits(const ChosenMethod& method, int layers)
+{
+    MethodTraits traits;
+    traits.passes = method.number("peels");
+    traits.pass_names = {"peel"};
+    traits.bytes_per_sample = 2 * layers * kLayerBytes;
+    traits.any_order = Agreement::bits;
+    traits.merge = Agreement::bits;
+    traits.bias = Bias::consistent;
+    traits.exact_up_to = layers * traits.passes;
+    return traits;
+}
+
+MethodTraits depth_peeling_traits(const ChosenMethod& method)
+{
+    return peeling_traits(method, 1);
+}
+
+MethodTraits dual_peeling_traits(const ChosenMethod& method)
+{
+    return peeling_traits(method, 2);
+}
+
+constexpr Parameter kPeels = {"peels", "1..4096", "4096",
+                              "passes at most; they end when nothing is left"};
+
 }  // namespace
+
+MethodRow depth_peeling_row()
+{
+    return with_standard_traits(
+        {.id = "depth-peeling",
+         .title = "Depth peeling: the nearest layer, then the next, a pass for each",
+         .citation = "Everitt. Interactive Order-Independent Transparency. NVIDIA 2001",
+         .parameters = {kPeels},
+         .traits = {},
+         .verbs = depth_peeling_verbs,
+         .traits_of = depth_peeling_traits});
+}
+
+MethodRow dual_depth_peeling_row()
+{
+    return with_standard_traits(
+        {.id = "dual-depth-peeling",
+         .title = "Dual depth peeling: the nearest layer and the farthest, a pass for both",
+         .citation = "Bavoil and Myers. Order Independent Transparency with Dual Depth Peeling. "
+                     "NVIDIA 2008",
+         .parameters = {kPeels},
+         .traits = {},
+         .verbs = dual_depth_peeling_verbs,
+         .traits_of = dual_peeling_traits});
+}
 
 MethodRow k_buffer_row()
 {

@@ -14,6 +14,8 @@ StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int sample
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
+MethodRow depth_peeling_row();
+MethodRow dual_depth_peeling_row();
 MethodRow k_buffer_row();
 MethodRow hybrid_row();
 MethodRow mlab_row();
@@ -22,7 +24,7 @@ MethodRow adaptive_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 12> kTable = {{
+    static const std::array<MethodRow, 14> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -58,6 +60,8 @@ std::span<const MethodRow> method_table()
                     .exact_up_to = -1},
          .verbs = exact_verbs,
          .colored_verbs = exact_colored_verbs},
+        depth_peeling_row(),
+        dual_depth_peeling_row(),
         stochastic_row(),
         stratified_stochastic_row(),
         k_buffer_row(),

@@ -104,6 +104,12 @@ Fragments fragments_in_floats(const Setting& setting, const Plates& plates, Plac
 Rgba layered_answer(const ChosenMethod& method, const Fragments& fragments, Rgba behind)
 {
     const std::string id = method.row->id;
+    if (id == "depth-peeling") {
+        return reference::depth_peeling(fragments, method.number("peels"), behind);
+    }
+    if (id == "dual-depth-peeling") {
+        return reference::dual_depth_peeling(fragments, method.number("peels"), behind);
+    }
     const int layers = method.number(id == "adaptive" ? "nodes" : "layers");
     if (id == "adaptive") {
         bool doubtful = false;
@@ -128,7 +134,8 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     if (id == "exact") return reference::composite(fragments, behind);
     if (id == "weighted-average") return reference::weighted_average(fragments, behind);
     if (id == "wboit") return wboit_answer(setting, plates, behind, place);
-    if (id == "mlab" || id == "k-buffer" || id == "hybrid" || id == "adaptive") {
+    if (id == "mlab" || id == "k-buffer" || id == "hybrid" || id == "adaptive" ||
+        id.ends_with("depth-peeling")) {
         return layered_answer(setting.method, fragments_in_floats(setting, plates, place), behind);
     }
     ADD_FAILURE() << "there is no oracle for the method '" << id << "'";

@@ -213,8 +213,8 @@ TEST(Layered, TiesAreBrokenById)
 {
     Plates plates = five_layers();
     for (Plate& plate : plates) plate.depth = make_plane(0.5, 0, 0);
-    for (const char* method :
-         {"mlab", "k-buffer", "k-buffer:merge=discard:layers=5", "hybrid", "adaptive"}) {
+    for (const char* method : {"mlab", "k-buffer", "k-buffer:merge=discard:layers=5", "hybrid",
+                               "adaptive", "depth-peeling", "dual-depth-peeling"}) {
         SCOPED_TRACE(method);
         const Plates reversed(plates.rbegin(), plates.rend());
         expect_color(resolved(method, plates, 8), kExact, kRounding);
@@ -236,6 +236,25 @@ TEST(Layered, AdaptiveOfFiveLayers)
     });
     expect_exact_in_every_order("adaptive:nodes=5");
     expect_exact_in_every_order("adaptive");
+}
+
+TEST(Layered, PeelsOfFiveLayersInEveryOrder)
+{
+    const Plates& all = five_layers();
+    const auto nearest = resolved("exact", {all[0], all[1], all[2]}, 1);
+    const auto ends = resolved("exact", {all[0], all[1], all[3], all[4]}, 1);
+    for_every_order([&](const Plates& plates) {
+        const auto peeled = resolved("depth-peeling:peels=3", plates, 2);
+        const auto dual = resolved("dual-depth-peeling:peels=2", plates, 2);
+        for (std::size_t c = 0; c < 4; ++c) {
+            EXPECT_NEAR(peeled[c], nearest[c], kRounding);
+            EXPECT_NEAR(dual[c], ends[c], kRounding);
+        }
+    });
+    for (const char* method : {"depth-peeling", "depth-peeling:peels=5", "dual-depth-peeling",
+                               "dual-depth-peeling:peels=3"}) {
+        expect_exact_in_every_order(method);
+    }
 }
 
 }  // namespace sheer

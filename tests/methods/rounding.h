@@ -33,6 +33,7 @@
 // colours, of
 //               each of which the sums make n, 1 - A and the products 2 n; A is off by 3 n, of
 //               which each part counts once more in what lies behind; T = 1 - A and T B: 9 n + 4.
+//               Peeling is that too.
 //               A tail in addition: as the weighted average. A core's colour that is scaled by
 //               (1 - T) / A: both sides of C / A are relatively as wrong, 6 n + 1, T by 5 n + 2,
 //               the three operations, and T B.
@@ -75,7 +76,7 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         formula = 2 * n + 2 + n + backdrop;
     } else if (id == "weighted-average") {
         formula = 2 * (n + 2) + 2 * (4 * n + 1) + 6;
-    } else if (id == "mlab" || id == "k-buffer") {
+    } else if (id == "mlab" || id == "k-buffer" || id.ends_with("depth-peeling")) {
         formula = 9 * n + 4;
     } else if (id == "adaptive") {
         formula = 3 * n + 3 + backdrop;
@@ -110,6 +111,8 @@ inline constexpr double kOneFragment = 8 * kUnit;
 // Several passes add it up, in both sums of a quotient.
 inline double one_fragment_bound(const ChosenMethod& method)
 {
+    // But peeling finds it in one of them.
+    if (std::string(method.row->id).ends_with("depth-peeling")) return kOneFragment;
     return kOneFragment + 2 * (method.traits().passes - 1) * kUnit;
 }
 

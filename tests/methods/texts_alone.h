@@ -36,6 +36,8 @@ struct Texts {
 #include "sheer/k_buffer.glsl"
 #include "sheer/hybrid.glsl"
 #include "sheer/adaptive.glsl"
+#include "sheer/depth_peeling.glsl"
+#include "sheer/dual_depth_peeling.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -346,6 +348,8 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "k-buffer") return make_alone<L, KBufferAlone>(lists, method);
     if (id == "hybrid") return make_alone<L, HybridAlone>(lists, method);
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
+    if (id == "depth-peeling") return make_alone<L, DepthPeelingAlone>(lists, method);
+    if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }
 
@@ -386,6 +390,10 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "adaptive",
     "adaptive:nodes=1",
     "adaptive:nodes=3",
+    "depth-peeling",
+    "depth-peeling:peels=3",
+    "dual-depth-peeling",
+    "dual-depth-peeling:peels=2",
 };
 
 }  // namespace sheer::test

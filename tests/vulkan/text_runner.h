@@ -131,6 +131,9 @@ private:
         if (id == "adaptive") {
             all.push_back({1, static_cast<std::uint32_t>(method.number("nodes"))});
         }
+        if (id.ends_with("depth-peeling")) {
+            all.push_back({1, static_cast<std::uint32_t>(method.number("peels"))});
+        }
         if (id == "k-buffer") {
             const std::string& merge = method.value("merge");
             all.push_back({2, merge == "front" ? 0u : merge == "nearest-two" ? 1u : 2u});

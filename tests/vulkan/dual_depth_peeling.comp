@@ -1,0 +1,31 @@
+#version 450
+#extension GL_GOOGLE_include_directive : require
+#include "sheer/prelude.glsl"
+#include "sheer/over.glsl"
+#include "sheer/layers.glsl"
+#include "sheer/dual_depth_peeling.glsl"
+#include "fragment_list.glsl"
+
+layout(constant_id = 1) const int kPeels = 1;
+
+float beyond_any = uintBitsToFloat(0x7f800000u);  // infinity
+
+void main()
+{
+    DualPeel peel = dual_peeling_clear(beyond_any);
+    bool found = true;
+    for (int p = 0; p < kPeels && found; ++p) {
+        if (p > 0) peel = dual_peeling_begin(peel, beyond_any);
+        for (uint i = list_begin(); i < list_end(); ++i) {
+            Fragment f = fragments[i];
+            Layer here = layer_of(covers(f), layer_clear(beyond_any), depth_here(f), f.primitive,
+                                  color_of(f), f.opacity);
+            peel = dual_peeling_insert(peel, here);
+        }
+        found = peel.nearest.depth < beyond_any;
+    }
+    DualPeel last = dual_peeling_begin(peel, beyond_any);
+    Layer all = layer_over(last.front, last.back);
+    keep(all.color, all.opacity, last.front.depth);
+    put(layer_resolve(all, backdrop()), 1 - all.opacity);
+}
