@@ -127,7 +127,6 @@ struct Group {
 
 struct Object {
     std::string name;
-    std::int32_t group = -1;  // in Scene::groups; -1: none
     std::uint32_t mesh = 0;
     Mat4 transform = kIdentity;  // object to world; the last row is 0 0 0 1
     // Stable identity. Ties in depth are broken by it (the smaller is in front), then by the
@@ -137,6 +136,7 @@ struct Object {
     // In [0, 1]; below 1 the object is drawn as AlphaMode::blend would be, its opacity multiplied
     // by this: for x-ray views of what is opaque.
     float opacity = 1;
+    std::int32_t group = -1;  // in Scene::groups; -1: none
 };
 
 struct Camera {
@@ -182,13 +182,13 @@ struct Scene {
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Object> objects;  // in the order of submission
-    std::vector<Group> groups;    // looked at by set_opacity alone
     std::vector<Camera> cameras;
     Sun sun;
     Sky sky;
     std::vector<Light> lights;
     std::optional<Float4> background;  // linear, premultiplied; a view's own background wins
     std::vector<std::string> ignored;  // what the reader found and does not draw, one line each
+    std::vector<Group> groups;         // looked at by set_opacity alone
 };
 
 }  // namespace sheer

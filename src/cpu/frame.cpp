@@ -63,7 +63,7 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
     TileSetting setting{{&job.geometry, &job.surfaces, &job.samples, tile, rect, rect},
                         job.background,
                         {rect.x0, rect.y0, 0}};
-    for (const Group& group : job.groups) {
+    for (const TakeGroup& group : job.groups) {
         setting.job.submission = group.submission;
         worker.passes.forget();
         if (group.uses > 1) worker.passes.keep(setting);

@@ -16,7 +16,7 @@ namespace sheer {
 // What all tiles read.
 struct FrameJob {
     std::span<const Take> takes;
-    std::vector<Group> groups;
+    std::vector<TakeGroup> groups;
     const Geometry& geometry;
     const FrameSurfaces& surfaces;
     const SampleSet& samples;

@@ -72,9 +72,9 @@ std::size_t thread_bytes(const FrameJob& job)
     if (job.surfaces.any_opaque) {
         bytes += pixel_samples * 6 * sizeof(float) + triangles * 3 * sizeof(OpaqueSurface);
     }
-    const bool sorts = std::any_of(job.groups.begin(), job.groups.end(), [](const Group& group) {
-        return group.submission != Submission::as_given;
-    });
+    const bool sorts = std::any_of(
+        job.groups.begin(), job.groups.end(),
+        [](const TakeGroup& group) { return group.submission != Submission::as_given; });
     if (sorts) bytes += triangles * 4 * sizeof(SortedTriangle);  // and what stable_sort takes
     bool divides = false;
     for (const Take& take : job.takes) {

@@ -17,19 +17,19 @@ inline Submission submission_of(const Take& take)
 }
 
 // Takes whose fragments come in the same order.
-struct Group {
+struct TakeGroup {
     Submission submission;
     std::vector<std::size_t> takes;
     std::size_t uses = 0;  // how often a tile's fragments are gone through
 };
 
-inline std::vector<Group> group_takes(std::span<const Take> takes)
+inline std::vector<TakeGroup> group_takes(std::span<const Take> takes)
 {
-    std::vector<Group> groups;
+    std::vector<TakeGroup> groups;
     for (std::size_t i = 0; i < takes.size(); ++i) {
         const Submission submission = submission_of(takes[i]);
         auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const Group& g) { return g.submission == submission; });
+                                  [&](const TakeGroup& g) { return g.submission == submission; });
         if (group == groups.end()) group = groups.insert(group, {submission, {}, 0});
         group->takes.push_back(i);
         group->uses +=
@@ -39,10 +39,10 @@ inline std::vector<Group> group_takes(std::span<const Take> takes)
 }
 
 // Of the stream: a tile's fragments are kept where they are used more than once.
-inline int stream_capacity(const std::vector<Group>& groups)
+inline int stream_capacity(const std::vector<TakeGroup>& groups)
 {
     const bool again = std::any_of(groups.begin(), groups.end(),
-                                   [](const Group& group) { return group.uses > 1; });
+                                   [](const TakeGroup& group) { return group.uses > 1; });
     return again ? kKeptFragments : kStreamFragments;
 }
 

@@ -15,16 +15,6 @@ namespace {
 constexpr int kLayerBytes = 24;
 constexpr Parameter kLayers = {"layers", "1..32", "4", "kept at each sample, near to far"};
 
-MethodRow with_standard_traits(MethodRow row)
-{
-    ChosenMethod standard{&row, {}};
-    for (const Parameter& parameter : row.parameters) {
-        standard.values.emplace_back(parameter.standard);
-    }
-    row.traits = row.traits_of(standard);
-    return row;
-}
-
 // With the number of layers that there are in a pixel.
 MethodTraits layered_traits(const ChosenMethod& method)
 {
