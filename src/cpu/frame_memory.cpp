@@ -69,6 +69,7 @@ std::size_t thread_bytes(const FrameJob& job)
     std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
                         pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
     const std::size_t triangles = most_triangles_of_a_tile(job.geometry, job.grid.count());
+    bytes += triangles * 3 * sizeof(TileTriangle);
     if (job.surfaces.any_opaque) {
         bytes += pixel_samples * 6 * sizeof(float) + triangles * 3 * sizeof(OpaqueSurface);
     }
@@ -90,7 +91,7 @@ std::size_t thread_bytes(const FrameJob& job)
 
 }  // namespace
 
-MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::uint64_t reserved,
+MemoryPlan plan_frame_memory(FrameJob& job, const Options& options, std::uint64_t reserved,
                              int threads)
 {
     MemoryNeeds needs{.limit = options.memory_limit,
@@ -108,6 +109,10 @@ MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::u
         if (take.apart && traits.divides) needs.pictures += 2;  // 20 bytes a pixel
         if (!traits.bounded) ++needs.growing_stores;
         needs.reserved += static_cast<std::uint64_t>(traits.bytes_of_tables);
+    }
+    if (needs.limit != 0 && memory_needed(needs) > needs.limit) {
+        job.stream_capacity = kStreamFragments;
+        needs.thread_bytes = thread_bytes(job);
     }
     return plan_memory(needs);
 }

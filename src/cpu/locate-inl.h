@@ -7,8 +7,8 @@
 #define SHEER_LOCATE_INL_H
 #endif
 
-#include "cpu/triangle_planes.h"
-#include "raster/coverage-inl.h"
+#include "cpu/plane_batch-inl.h"
+#include "raster/coverage_list.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -26,6 +26,13 @@ struct LocatedOnScreen {
     Block::real x, y;  // the centroid from the pixel's centre, subpixels
 };
 
+// Bits set in a number below 16, and 1 / n for n = 1, ..., 15, with 1 / 16 in place of 0.
+alignas(64) inline constexpr std::uint32_t kBitCounts[16] = {0, 1, 1, 2, 1, 2, 2, 3,
+                                                             1, 2, 2, 3, 2, 3, 3, 4};
+alignas(64) inline constexpr float kShares[16] = {
+    1.0f / 16, 1.0f,     1.0f / 2,  1.0f / 3,  1.0f / 4,  1.0f / 5,  1.0f / 6,  1.0f / 7,
+    1.0f / 8,  1.0f / 9, 1.0f / 10, 1.0f / 11, 1.0f / 12, 1.0f / 13, 1.0f / 14, 1.0f / 15};
+
 // Fragments i, i + 1, ... of the list: the centroid's offset from the pixel's centre in subpixels.
 HWY_INLINE void centroid(const SampleSet& set, const CoverageList& list, int i, Block::real& x,
                          Block::real& y)
@@ -33,34 +40,39 @@ HWY_INLINE void centroid(const SampleSet& set, const CoverageList& list, int i, 
     using real = Block::real;
     using whole = Block::whole;
     whole sum(0), covered(0);
-    for (int byte = 0; 8 * byte < set.count; ++byte) {
-        const std::uint32_t* word = byte < 4 ? list.low : list.high;
-        const whole bits = whole::load(word + i).shift_right_by(8 * (byte & 3)) & whole(255);
-        sum = sum + Block::gather(set.position_sums[static_cast<std::size_t>(byte)].data(), bits);
-        covered = covered + bits.population_count();
+    for (int group = 0; 4 * group < set.count; ++group) {
+        const std::uint32_t* word = group < 8 ? list.low : list.high;
+        const whole bits = whole::load(word + i).shift_right_by(4 * (group & 7)) & whole(15);
+        sum = sum +
+              Block::look_up_16(set.position_sums[static_cast<std::size_t>(group)].data(), bits);
+        covered = covered + Block::look_up_16(kBitCounts, bits);
     }
     // Lanes past the end of the list may hold no sample at all.
-    const real share = real(1.0f) / Block::max(Block::to_real(covered), real(1.0f));
+    const real share = set.count <= 16
+                           ? Block::look_up_16(kShares, covered & whole(15))
+                           : real(1.0f) / Block::max(Block::to_real(covered), real(1.0f));
     const real half(0.5f * kSubpixels);
     x = Block::to_real(sum & whole(0xffff)) * share - half;
     y = Block::to_real(sum.shift_right<16>()) * share - half;
 }
 
-HWY_INLINE Block::real weight_at_center(const WeightPlane& w, const TrianglePlanes& planes,
-                                        Block::whole column, Block::whole row)
+// `of`: each lane's triangle.
+HWY_INLINE Block::real weight_at_center(const WeightBatch& w, const PlaneBatch& planes,
+                                        const Block::Lookup& of, Block::whole column,
+                                        Block::whole row)
 {
     using real = Block::real;
     using whole = Block::whole;
-    if (planes.exact) {
-        const whole edge = whole(w.edge) + column * whole(w.edge_x) + row * whole(w.edge_y);
-        return Block::to_real(edge) * real(planes.inverse_area);
-    }
-    return real(w.base) + Block::to_real(column) * real(w.pixel_x) +
-           Block::to_real(row) * real(w.pixel_y);
+    const whole edge = of.of(w.edge) + column * of.of(w.edge_x) + row * of.of(w.edge_y);
+    const real precise = Block::to_real(edge) * of.of(planes.inverse_area);
+    if (planes.all_exact) return precise;
+    const real rough = of.of(w.base) + Block::to_real(column) * of.of(w.pixel_x) +
+                       Block::to_real(row) * of.of(w.pixel_y);
+    return Block::select(of.of(planes.exact) == whole(0), rough, precise);
 }
 
-HWY_INLINE LocatedOnScreen locate_on_screen(const TrianglePlanes& planes, const SampleSet& set,
-                                            const CoverageList& list, int i)
+HWY_INLINE LocatedOnScreen locate_on_screen(const PlaneBatch& planes, const Block::Lookup& of,
+                                            const SampleSet& set, const CoverageList& list, int i)
 {
     using real = Block::real;
     using whole = Block::whole;
@@ -69,27 +81,37 @@ HWY_INLINE LocatedOnScreen locate_on_screen(const TrianglePlanes& planes, const 
     LocatedOnScreen at;
     at.column = pixel & whole(kTileSize - 1);
     at.row = pixel.shift_right<5>();
-    at.b1 = weight_at_center(planes.weight1, planes, at.column, at.row);
-    at.b2 = weight_at_center(planes.weight2, planes, at.column, at.row);
-    at.depth = real(planes.depth0) + at.b1 * real(planes.depth1) + at.b2 * real(planes.depth2);
+    at.b1 = weight_at_center(planes.weight1, planes, of, at.column, at.row);
+    at.b2 = weight_at_center(planes.weight2, planes, of, at.column, at.row);
+    at.depth =
+        of.of(planes.depth[0]) + at.b1 * of.of(planes.depth[1]) + at.b2 * of.of(planes.depth[2]);
     at.x = at.y = real(0.0f);
     if (set.centered) return at;
     centroid(set, list, i, at.x, at.y);
-    at.b1 = at.b1 + (at.x * real(planes.weight1.dx) + at.y * real(planes.weight1.dy));
-    at.b2 = at.b2 + (at.x * real(planes.weight2.dx) + at.y * real(planes.weight2.dy));
+    const auto along = [&](const WeightBatch& w)
+                           HWY_ATTR { return at.x * of.of(w.dx) + at.y * of.of(w.dy); };
+    at.b1 = at.b1 + along(planes.weight1);
+    at.b2 = at.b2 + along(planes.weight2);
     return at;
 }
 
-HWY_INLINE Located locate(const TrianglePlanes& planes, const SampleSet& set,
+HWY_INLINE Located locate(const PlaneBatch& planes, const Block::Lookup& of, const SampleSet& set,
                           const CoverageList& list, int i)
 {
     using real = Block::real;
-    const LocatedOnScreen at = locate_on_screen(planes, set, list, i);
-    if (planes.affine) return {at.b1, at.b2, at.depth};
-    const real q1 = at.b1 * real(planes.inverse_w[1]), q2 = at.b2 * real(planes.inverse_w[2]);
-    const real sum = (real(1.0f) - at.b1 - at.b2) * real(planes.inverse_w[0]) + q1 + q2;
+    using whole = Block::whole;
+    const LocatedOnScreen at = locate_on_screen(planes, of, set, list, i);
+    if (planes.all_affine) return {at.b1, at.b2, at.depth};
+    const real q1 = at.b1 * of.of(planes.inverse_w[1]), q2 = at.b2 * of.of(planes.inverse_w[2]);
+    const real sum = (real(1.0f) - at.b1 - at.b2) * of.of(planes.inverse_w[0]) + q1 + q2;
     const real scale = real(1.0f) / sum;
-    return {q1 * scale, q2 * scale, at.depth};
+    Located result{q1 * scale, q2 * scale, at.depth};
+    if (planes.any_affine) {
+        const Block::mask perspective = of.of(planes.affine) == whole(0);
+        result.w1 = Block::select(perspective, result.w1, at.b1);
+        result.w2 = Block::select(perspective, result.w2, at.b2);
+    }
+    return result;
 }
 
 }  // namespace sheer::HWY_NAMESPACE

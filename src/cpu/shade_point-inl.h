@@ -35,8 +35,9 @@ inline EyeRays make_eye_rays(const Eye& eye, const PixelRect& rect)
     return rays;
 }
 
-HWY_INLINE ShadePoint<Block> shade_point(const TrianglePlanes& planes, const EyeRays& rays,
-                                         const LocatedOnScreen& at, int lanes)
+// Of triangle k's fragments.
+HWY_INLINE ShadePoint<Block> shade_point(const PlaneBatch& planes, std::size_t k,
+                                         const EyeRays& rays, const LocatedOnScreen& at, int lanes)
 {
     using real = Block::real;
     using Vec = Vector<Block>;
@@ -46,23 +47,24 @@ HWY_INLINE ShadePoint<Block> shade_point(const TrianglePlanes& planes, const Eye
     const real x = Block::to_real(at.column) + at.x * subpixel;
     const real y = Block::to_real(at.row) + at.y * subpixel;
     const Vec ray = Vec::of(rays.first) + x * Vec::of(rays.right) + y * Vec::of(rays.down);
-    const WeightPlane &plane1 = planes.weight1, &plane2 = planes.weight2;
+    const WeightBatch &weight1 = planes.weight1, &weight2 = planes.weight2;
     p.w1 = at.b1;
     p.w2 = at.b2;
-    p.w1_x = real(plane1.pixel_x);
-    p.w2_x = real(plane2.pixel_x);
-    p.w1_y = real(plane1.pixel_y);
-    p.w2_y = real(plane2.pixel_y);
+    p.w1_x = real(weight1.pixel_x[k]);
+    p.w2_x = real(weight2.pixel_x[k]);
+    p.w1_y = real(weight1.pixel_y[k]);
+    p.w2_y = real(weight2.pixel_y[k]);
     if (rays.orthographic) {
         p.to_eye = Vec::of(rays.back);
         return p;
     }
-    const float* inverse_w = planes.inverse_w;
+    const float inverse_w[3] = {planes.inverse_w[0][k], planes.inverse_w[1][k],
+                                planes.inverse_w[2][k]};
     const real g1 = at.b1 * real(inverse_w[1]), g2 = at.b2 * real(inverse_w[2]);
     const real sum = (real(1.0f) - at.b1 - at.b2) * real(inverse_w[0]) + g1 + g2;
     const real w = real(1.0f) / sum;
     p.to_eye = normalized(Vec::all(0.0f) - ray);
-    if (planes.affine) return p;
+    if (planes.affine[k] != 0) return p;
     p.w1 = g1 * w;
     p.w2 = g2 * w;
     // Of g1, g2 and their sum along one axis of the screen.
@@ -72,8 +74,8 @@ HWY_INLINE ShadePoint<Block> shade_point(const TrianglePlanes& planes, const Eye
         w1 = (real(g1_step) - p.w1 * sum_step) * w;
         w2 = (real(g2_step) - p.w2 * sum_step) * w;
     };
-    steps(plane1.pixel_x, plane2.pixel_x, p.w1_x, p.w2_x);
-    steps(plane1.pixel_y, plane2.pixel_y, p.w1_y, p.w2_y);
+    steps(weight1.pixel_x[k], weight2.pixel_x[k], p.w1_x, p.w2_x);
+    steps(weight1.pixel_y[k], weight2.pixel_y[k], p.w1_y, p.w2_y);
     return p;
 }
 

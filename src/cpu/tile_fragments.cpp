@@ -11,15 +11,8 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
-#include "cpu/light_places-inl.h"
-#include "cpu/locate-inl.h"
-#include "cpu/shade_point-inl.h"
+#include "cpu/triangle_batch-inl.h"
 #include "cpu/visibility-inl.h"
-#include "geometry/screen_bounds.h"
-#include "raster/coverage-inl.h"
-#include "raster/coverage_wide.h"
-#include "shade/detail-inl.h"
-#include "shade/surface-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -31,115 +24,50 @@ struct Tile {
     OpaqueTile& opaque;
     FragmentStream& stream;
     const FragmentConsumer& consumer;
-    // The functions for this number of samples.
     OpaqueSamples samples;
-    CoverFunction cover_narrow;
-    EyeRays rays;
+    TileSetup setup;
+    TriangleBatch batch = {};
     bool wanted = true;  // by the consumer
+
+    const Surface& surface() const { return job.surfaces->surfaces[batch.object()]; }
 };
 
-// The part of the tile that a triangle may cover, in pixels of the picture.
-HWY_INLINE bool region_of(const Tile& tile, const Triangle& t, PixelRect& region)
+// Covers the batch's triangles and shades them as soon as all are covered, or no more fragments
+// would fit: `finish(first, end, list)` takes those of triangles first, ..., end - 1 and leaves the
+// list as far as it is to stay. `most`: the list's room.
+template <class Finish>
+HWY_INLINE void cover_batch(Tile& tile, CoverageList& list, int most, Finish&& finish)
 {
-    const PixelRect& rect = tile.job.region;
-    const PixelBounds bounds = pixel_bounds(t, tile.job.samples->extent);
-    region = {std::max(rect.x0, bounds.x0), std::max(rect.y0, bounds.y0),
-              std::min(rect.x1, bounds.x1 + 1), std::min(rect.y1, bounds.y1 + 1)};
-    return region.x0 < region.x1 && region.y0 < region.y1;
-}
-
-// Appends to the list.
-HWY_INLINE void cover(const Tile& tile, const Triangle& t, const PixelRect& region,
-                      CoverageList& list)
-{
-    const SampleSet& set = *tile.job.samples;
-    const PixelRect& rect = tile.job.rect;
-    RegionEdges edges;
-    if (!make_region_edges(t, region, edges)) return;
-    const PixelRect local{region.x0 - rect.x0, region.y0 - rect.y0, region.x1 - rect.x0,
-                          region.y1 - rect.y0};
-    if (edges.inside) {
-        cover_all(set, local, list);
-    } else if (edges.wide) {
-        cover_wide(t, set, region, rect.x0, rect.y0, list);
-    } else {
-        tile.cover_narrow(edges, set, local, list);
-    }
-}
-
-HWY_INLINE void set_surface(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
-                            const Surface& surface, TriangleSurface& result)
-{
-    const Geometry& geometry = *tile.job.geometry;
-    const Attributes& a0 = geometry.attributes_of(chunk, t.vertex[0]);
-    const Attributes& a1 = geometry.attributes_of(chunk, t.vertex[1]);
-    const Attributes& a2 = geometry.attributes_of(chunk, t.vertex[2]);
-    result.side = t.back_facing ? -1.0f : 1.0f;
-    if (surface.shading != Shading::unlit) result.normal.set(a0.normal, a1.normal, a2.normal);
-    if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
-}
-
-inline void set_detail(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
-                       TriangleDetail& result)
-{
-    const Geometry& geometry = *tile.job.geometry;
-    const TextureAttributes a0 = geometry.texture_attributes_of(chunk, t.vertex[0]);
-    const TextureAttributes a1 = geometry.texture_attributes_of(chunk, t.vertex[1]);
-    const TextureAttributes a2 = geometry.texture_attributes_of(chunk, t.vertex[2]);
-    for (std::size_t set = 0; set < 2; ++set) {
-        result.texcoords[set].set(a0.texcoords[set], a1.texcoords[set], a2.texcoords[set]);
-    }
-    result.tangent.set(a0.tangent, a1.tangent, a2.tangent);
-    result.bitangent_side = a0.tangent[3] < 0 ? -1.0f : 1.0f;
-    set_light_places(tile.job, t, tile.scratch, result);
-}
-
-// A triangle's fragments, shaded a block at a time: `store(i, depth at the pixel's centre, shaded,
-// what passes through)` for fragments i, i + 1, ... of the list.
-template <class Store>
-HWY_INLINE void shade_all(const Tile& tile, const TriangleChunk& chunk, const Triangle& t,
-                          const TrianglePlanes& planes, const CoverageList& list, int first,
-                          int end, Store&& store)
-{
-    const SampleSet& set = *tile.job.samples;
-    const Lighting& light = tile.job.surfaces->light;
-    const Surface& surface = tile.job.surfaces->surfaces[t.object];
-    TriangleSurface triangle;
-    set_surface(tile, chunk, t, surface, triangle);
-    if (surface.detail == nullptr) {
-        for (int i = first; i < end; i += Block::kCount) {
-            const Located at = locate(planes, set, list, i);
-            const Shaded<Block> f = shade<Block>(surface, triangle, light, at.w1, at.w2);
-            const Block::real rest = Block::real(1.0f) - f.opacity;
-            store(i, at.depth, f, Vector<Block>{rest, rest, rest});
+    TriangleBatch& batch = tile.batch;
+    set_up(tile.job, batch);
+    std::size_t first = 0;
+    int begin = list.count;
+    for (std::size_t k = 0; k < batch.count; ++k) {
+        const int more = most_fragments(batch, k);
+        if (list.count + more > most || list.count - begin + more > TriangleBatch::kMostCovered) {
+            batch.begin[k] = list.count;
+            finish(first, k, list);
+            first = k;
+            begin = list.count;
         }
-        return;
+        batch.begin[k] = list.count;
+        if (more > 0) cover(tile.job, tile.setup, k, begin, batch, list);
     }
-    TriangleDetail detail;
-    set_detail(tile, chunk, t, detail);
-    for (int i = first; i < end; i += Block::kCount) {
-        const LocatedOnScreen at = locate_on_screen(planes, set, list, i);
-        const ShadePoint<Block> point = shade_point(planes, tile.rays, at, end - i);
-        const DetailedFragment<Block> f =
-            shade_detail<Block>(surface, triangle, detail, light, point);
-        store(i, at.depth, f.shaded, f.transmittance);
-    }
+    batch.begin[batch.count] = list.count;
+    finish(first, batch.count, list);
+    batch.count = 0;
 }
 
-inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& t,
-                        const Surface& surface)
+// Draws the opaque batch.
+inline void draw_opaque(Tile& tile)
 {
     const SampleSet& set = *tile.job.samples;
+    const TriangleBatch& batch = tile.batch;
+    const Surface& surface = tile.surface();
     CoverageList list{tile.scratch.pixel.data(), tile.scratch.low.data(), tile.scratch.high.data(),
                       0};
-    PixelRect region;
-    if (region_of(tile, t, region)) cover(tile, t, region, list);
-    if (list.count == 0) return;
-    if (!tile.opaque.any) tile.opaque.clear();
-    TrianglePlanes planes;
-    make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
-    tile.opaque.surfaces.push_back({planes.depth, t.primitive});
-    const auto write = [&](int i, Block::real center_depth, const Shaded<Block>& f,
+    std::uint32_t drawn[TriangleBatch::kMost];  // index of each triangle among the tile's surfaces
+    const auto write = [&](int i, int end, Block::real center_depth, const Shaded<Block>& f,
                            const Vector<Block>&) HWY_ATTR {
         alignas(64) float depth[16], red[16], green[16], blue[16], opacity[16];
         center_depth.store(depth);
@@ -147,7 +75,7 @@ inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& 
         f.green.store(green);
         f.blue.store(blue);
         f.opacity.store(opacity);
-        for (int lane = 0; lane < std::min(Block::kCount, list.count - i); ++lane) {
+        for (int lane = 0; lane < std::min(Block::kCount, end - i); ++lane) {
             if (surface.alpha_mode == AlphaMode::mask && opacity[lane] < surface.alpha_cutoff) {
                 continue;
             }
@@ -155,10 +83,23 @@ inline void draw_opaque(Tile& tile, const TriangleChunk& chunk, const Triangle& 
                                {list.pixel[i + lane],
                                 list.samples(i + lane),
                                 depth[lane],
-                                {red[lane], green[lane], blue[lane]}});
+                                {red[lane], green[lane], blue[lane]}},
+                               drawn[batch.owner[i + lane]]);
         }
     };
-    shade_all(tile, chunk, t, planes, list, 0, list.count, write);
+    const auto finish = [&](std::size_t first, std::size_t end, CoverageList& covered) HWY_ATTR {
+        if (covered.count == 0) return;
+        if (!tile.opaque.any) tile.opaque.clear();
+        for (std::size_t k = first; k < end; ++k) {
+            drawn[k] = static_cast<std::uint32_t>(tile.opaque.surfaces.size());
+            if (batch.begin[k] == batch.begin[k + 1]) continue;
+            tile.opaque.surfaces.push_back(
+                {batch.planes.depth_plane(k), batch.triangle[k]->primitive});
+        }
+        shade_covered(tile.job, tile.setup, batch, first, end, covered, tile.scratch, write);
+        covered.count = 0;
+    };
+    cover_batch(tile, list, kTilePixels, finish);
 }
 
 // Moves the run's fragments down to `to`, without those of which nothing can be seen: all samples
@@ -193,16 +134,13 @@ inline void keep_visible(Tile& tile, FragmentRun& run, int to)
     run.count = kept - run.first;
 }
 
-// `kept`: fragments of earlier runs; counts this run's too.
-HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
+// Shades what is covered of triangles first, ..., end - 1 and adds their runs to the stream.
+HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const CoverageList& list)
 {
     FragmentStream& s = tile.stream;
-    const Triangle& t = *pending.triangle;
-    const Surface& surface = tile.job.surfaces->surfaces[t.object];
-    const CoverageList list{s.pixel.data(), s.samples.data(), s.samples_high.data(), 0};
-    TrianglePlanes planes;
-    make_triangle_planes(t, tile.job.rect, tile.job.geometry->orthographic, planes);
-    const auto write = [&](int i, Block::real center_depth, const Shaded<Block>& f,
+    const TriangleBatch& batch = tile.batch;
+    const Surface& surface = tile.surface();
+    const auto write = [&](int i, int, Block::real center_depth, const Shaded<Block>& f,
                            const Vector<Block>& through) HWY_ATTR {
         center_depth.store(s.depth.data() + i);
         f.red.store(s.red.data() + i);
@@ -214,80 +152,72 @@ HWY_INLINE void shade_run(Tile& tile, const PendingRun& pending, int& kept)
         through.y.store(s.through_green.data() + i);
         through.z.store(s.through_blue.data() + i);
     };
-    shade_all(tile, *pending.chunk, t, planes, list, pending.first, pending.first + pending.count,
-              write);
-    FragmentRun& run = s.runs[s.run_count];
-    run = {static_cast<std::uint32_t>(pending.first),
-           static_cast<std::uint32_t>(pending.count),
-           t.primitive,
-           surface.id,
-           planes.depth,
-           t.back_facing != 0};
-    if (tile.opaque.any || surface.may_vanish || kept < pending.first) {
-        keep_visible(tile, run, kept);
+    shade_covered(tile.job, tile.setup, batch, first, end, list, tile.scratch, write);
+    int kept = s.size;
+    for (std::size_t k = first; k < end; ++k) {
+        const int begin = batch.begin[k], count = batch.begin[k + 1] - begin;
+        if (count == 0) continue;
+        const Triangle& t = *batch.triangle[k];
+        FragmentRun& run = s.runs[s.run_count];
+        run = {static_cast<std::uint32_t>(begin),
+               static_cast<std::uint32_t>(count),
+               t.primitive,
+               surface.id,
+               batch.planes.depth_plane(k),
+               t.back_facing != 0};
+        if (tile.opaque.any || surface.may_vanish || kept < begin) keep_visible(tile, run, kept);
+        kept += static_cast<int>(run.count);
+        if (run.count > 0) ++s.run_count;
     }
-    kept += static_cast<int>(run.count);
-    if (run.count > 0) ++s.run_count;
-}
-
-// Shades what is covered so far. Coverage and shading take turns over many triangles at a time, so
-// that neither waits for the other's latency.
-inline void finish_stream(Tile& tile)
-{
-    constexpr std::size_t kAhead = 4;
-    const std::vector<PendingRun>& pending = tile.scratch.pending;
-    int kept = 0;
-    for (std::size_t i = 0; i < pending.size(); ++i) {
-        if (i + kAhead < pending.size()) {
-            const PendingRun& next = pending[i + kAhead];
-            for (const std::uint32_t v : next.triangle->vertex) {
-                hwy::Prefetch(&tile.job.geometry->attributes_of(*next.chunk, v));
-            }
-        }
-        shade_run(tile, pending[i], kept);
-    }
-    tile.stream.size = kept;
-    tile.scratch.pending.clear();
+    s.size = kept;
 }
 
 inline void hand_on(Tile& tile)
 {
-    finish_stream(tile);
-    if (tile.stream.size > 0) {
+    if (tile.stream.size > 0 && tile.wanted) {
         tile.wanted = tile.consumer.take(tile.consumer.context, tile.stream);
     }
     tile.stream.clear();
 }
 
-HWY_INLINE void cover_transparent(Tile& tile, const TriangleChunk& chunk, const Triangle& t)
+// Adds the transparent batch to the stream, which is handed on whenever it is full.
+inline void draw_transparent(Tile& tile)
 {
     FragmentStream& s = tile.stream;
-    PixelRect region;
-    if (!tile.wanted || !region_of(tile, t, region)) return;
-    const int most = (region.x1 - region.x0) * (region.y1 - region.y0);
-    if (s.size + most > s.capacity) hand_on(tile);
     CoverageList list{s.pixel.data(), s.samples.data(), s.samples_high.data(), s.size};
-    cover(tile, t, region, list);
-    if (list.count == s.size) return;
-    tile.scratch.pending.push_back({&chunk, &t, s.size, list.count - s.size});
-    s.size = list.count;
+    const auto finish = [&](std::size_t first, std::size_t end, CoverageList& covered) HWY_ATTR {
+        add_runs(tile, first, end, covered);
+        const bool full =
+            end < tile.batch.count && s.size + most_fragments(tile.batch, end) > s.capacity;
+        if (full) hand_on(tile);
+        covered.count = s.size;
+    };
+    cover_batch(tile, list, s.capacity, finish);
 }
 
-template <class Draw>
-HWY_INLINE void for_each_triangle(const TileJob& job, Draw&& draw)
+// The tile's triangles, in the order of submission. They lie scattered over the memory.
+inline void list_triangles(const TileJob& job, std::vector<TileTriangle>& triangles)
 {
-    constexpr std::uint32_t kAhead = 8;  // triangles lie scattered over the memory
     const auto tile = static_cast<std::size_t>(job.tile);
+    triangles.clear();
     for (const TriangleChunk& chunk : job.geometry->chunks) {
         if (chunk.triangles.empty()) continue;
         const std::uint32_t end = chunk.tile_begin[tile + 1];
         for (std::uint32_t i = chunk.tile_begin[tile]; i < end; ++i) {
-            if (i + kAhead < end) {
-                hwy::Prefetch(&chunk.triangles[chunk.tile_triangles[i + kAhead]]);
-            }
-            const Triangle& t = chunk.triangles[chunk.tile_triangles[i]];
-            draw(chunk, t, job.surfaces->surfaces[t.object]);
+            triangles.push_back({&chunk, &chunk.triangles[chunk.tile_triangles[i]]});
         }
+    }
+}
+
+template <class Draw>
+HWY_INLINE void for_each_triangle(const TileJob& job, const std::vector<TileTriangle>& triangles,
+                                  Draw&& draw)
+{
+    constexpr std::size_t kAhead = 12;
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        if (i + kAhead < triangles.size()) hwy::Prefetch(triangles[i + kAhead].triangle);
+        const Triangle& t = *triangles[i].triangle;
+        draw(*triangles[i].chunk, t, job.surfaces->surfaces[t.object]);
     }
 }
 
@@ -306,19 +236,21 @@ inline float centroid_distance(const Triangle& t, bool orthographic)
 
 // The transparent triangles, in the job's order.
 template <class Draw>
-HWY_INLINE void for_each_transparent(const TileJob& job, std::vector<SortedTriangle>& sorted,
-                                     Draw&& draw)
+HWY_INLINE void for_each_transparent(const TileJob& job, TileScratch& scratch, Draw&& draw)
 {
+    std::vector<SortedTriangle>& sorted = scratch.sorted;
     if (job.submission == Submission::as_given) {
-        for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
-                                   const Surface& surface) HWY_ATTR {
-            if (is_seen_through(surface)) draw(chunk, t);
-        });
+        for_each_triangle(job, scratch.triangles,
+                          [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface)
+                              HWY_ATTR {
+                                  if (is_seen_through(surface)) draw(chunk, t);
+                              });
         return;
     }
     sorted.clear();
     for_each_triangle(
-        job, [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
+        job, scratch.triangles,
+        [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
             if (!is_seen_through(surface)) return;
             if (job.submission == Submission::objects_sorted) {
                 sorted.push_back({job.surfaces->distances[t.object], surface.id, &chunk, &t});
@@ -341,21 +273,28 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
               stream,
               consumer,
               opaque_samples_for(job.samples->count),
-              cover_function_for(*job.samples),
-              make_eye_rays(job.geometry->eye, job.rect)};
+              make_tile_setup(job)};
+    TriangleBatch& batch = tile.batch;
+    const auto draw = [&](const TriangleChunk& chunk, const Triangle& t, auto&& draw_batch)
+                          HWY_ATTR {
+                              if (!batch.has_room_for(t)) draw_batch(tile);
+                              add_triangle(*job.geometry, chunk, t, batch);
+                          };
+    list_triangles(job, scratch.triangles);
     stream.clear();
-    scratch.pending.clear();
     opaque.any = false;
     if (job.surfaces->any_opaque) {
-        for_each_triangle(job, [&](const TriangleChunk& chunk, const Triangle& t,
-                                   const Surface& surface) HWY_ATTR {
-            if (!surface.transparent) draw_opaque(tile, chunk, t, surface);
-        });
+        for_each_triangle(job, scratch.triangles,
+                          [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface)
+                              HWY_ATTR {
+                                  if (!surface.transparent) draw(chunk, t, draw_opaque);
+                              });
+        if (batch.count > 0) draw_opaque(tile);
     }
-    for_each_transparent(job, scratch.sorted,
-                         [&](const TriangleChunk& chunk, const Triangle& t)
-                             HWY_ATTR { cover_transparent(tile, chunk, t); });
-    finish_stream(tile);
+    for_each_transparent(job, scratch, [&](const TriangleChunk& chunk, const Triangle& t) HWY_ATTR {
+        if (tile.wanted) draw(chunk, t, draw_transparent);
+    });
+    if (batch.count > 0 && tile.wanted) draw_transparent(tile);
     return tile.wanted;
 }
 

@@ -25,6 +25,11 @@ struct TileJob {
     Submission submission = Submission::as_given;
 };
 
+struct TileTriangle {
+    const TriangleChunk* chunk;
+    const Triangle* triangle;
+};
+
 // A transparent triangle on its way into another order.
 struct SortedTriangle {
     float distance;
@@ -33,21 +38,14 @@ struct SortedTriangle {
     const Triangle* triangle;
 };
 
-// A triangle's part of the stream while it is covered but not yet shaded.
-struct PendingRun {
-    const TriangleChunk* chunk;
-    const Triangle* triangle;
-    int first, count;
-};
-
 // What a thread needs besides, tile after tile.
 struct TileScratch {
-    std::vector<PendingRun> pending;
+    std::vector<TileTriangle> triangles;
     std::vector<SortedTriangle> sorted;
     // As one triangle sees them.
     std::vector<Float3> light_places;
     std::vector<ShadowReceiver> receivers;
-    // Of one opaque triangle.
+    // Of a batch of opaque triangles.
     AlignedArray<std::uint32_t> pixel, low, high;
 
     TileScratch()

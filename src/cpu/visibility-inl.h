@@ -30,8 +30,8 @@ struct OpaqueSamples {
     // Of a transparent fragment's samples, those in front of what is opaque.
     std::uint64_t (*in_front)(const OpaqueTile&, const SampleSet&, const DepthPlane&,
                               const PixelFragment&);
-    // Draws an opaque fragment of the newest of the tile's surfaces.
-    void (*write)(OpaqueTile&, const SampleSet&, const PixelFragment&);
+    // Draws an opaque fragment of one of the tile's surfaces.
+    void (*write)(OpaqueTile&, const SampleSet&, const PixelFragment&, std::uint32_t surface);
 };
 
 // Of the samples s, s + 1, ... (bits), those at which the plane is nearer than the opaque surface.
@@ -92,13 +92,13 @@ std::uint64_t in_front(const OpaqueTile& opaque, const SampleSet& set, const Dep
 }
 
 template <int S>
-void write_opaque(OpaqueTile& opaque, const SampleSet& set, const PixelFragment& f)
+void write_opaque(OpaqueTile& opaque, const SampleSet& set, const PixelFragment& f,
+                  std::uint32_t surface)
 {
     using L = Lanes<S>;
     using real = typename L::real;
     using whole = typename L::whole;
-    const auto newest = static_cast<std::uint32_t>(opaque.surfaces.size() - 1);
-    const OpaqueSurface& ours = opaque.surfaces[newest];
+    const OpaqueSurface& ours = opaque.surfaces[surface];
     for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
         const Comparison<L> c = compare<L>(opaque, set, ours.depth, f, s);
         const std::uint32_t nearer =
@@ -115,9 +115,8 @@ void write_opaque(OpaqueTile& opaque, const SampleSet& set, const PixelFragment&
         put(opaque.red, real(f.color[0]));
         put(opaque.green, real(f.color[1]));
         put(opaque.blue, real(f.color[2]));
-        std::uint32_t* surface = opaque.surface.data() + at;
-        L::select(wins, whole(static_cast<std::int32_t>(newest)), whole::load(surface))
-            .store(surface);
+        std::uint32_t* drawn = opaque.surface.data() + at;
+        L::select(wins, whole(surface), whole::load(drawn)).store(drawn);
     }
 }
 

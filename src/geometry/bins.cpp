@@ -33,8 +33,10 @@ bool misses(const Triangle& t, const PixelRect& rect)
 
 }  // namespace
 
-void bin_triangles(TriangleChunk& chunk, const TileGrid& grid, const SampleExtent& samples)
+void bin_triangles(TriangleChunk& chunk, const TileGrid& tiles, const SampleExtent& samples)
 {
+    const TileGrid grid = tiles;  // that nothing written here can change
+    const int columns = grid.columns();
     std::vector<Pair> pairs;
     pairs.reserve(chunk.triangles.size() * 2);
     chunk.tile_begin.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
@@ -48,7 +50,7 @@ void bin_triangles(TriangleChunk& chunk, const TileGrid& grid, const SampleExten
         const bool large = column1 > column0 + 1 || row1 > row0 + 1;
         for (int row = row0; row <= row1; ++row) {
             for (int column = column0; column <= column1; ++column) {
-                const int tile = row * grid.columns() + column;
+                const int tile = row * columns + column;
                 if (large && misses(t, grid.rect(tile))) continue;
                 pairs.push_back({static_cast<std::uint32_t>(tile), static_cast<std::uint32_t>(i)});
                 ++chunk.tile_begin[static_cast<std::size_t>(tile) + 1];

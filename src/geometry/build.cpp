@@ -55,7 +55,8 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
     const bool front = (area < 0) != context.posed.mirrored[object];
     if (!front && !context.drawn[object].double_sided) return;
     const int order[3] = {0, area > 0 ? 1 : 2, area > 0 ? 2 : 1};
-    Triangle t;
+    // In its place: a copy as a whole would wait for each of its parts to be written.
+    Triangle& t = chunk.triangles.emplace_back();
     for (int i = 0; i < 3; ++i) {
         const Corner& c = corners[order[i]];
         t.x[i] = c.posed->screen_x;
@@ -68,11 +69,9 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
     t.back_facing = front ? 0 : 1;
     const PixelBounds b = pixel_bounds(t, context.job.samples);
     const TileGrid& grid = context.job.grid;
-    if (b.x0 > b.x1 || b.y0 > b.y1 || b.x1 < 0 || b.y1 < 0 || b.x0 >= grid.width ||
-        b.y0 >= grid.height) {
-        return;
-    }
-    chunk.triangles.push_back(t);
+    const bool seen = b.x0 <= b.x1 && b.y0 <= b.y1 && b.x1 >= 0 && b.y1 >= 0 && b.x0 < grid.width &&
+                      b.y0 < grid.height;
+    if (!seen) chunk.triangles.pop_back();
 }
 
 // A triangle of the scene: its posed vertices and where their attributes are.

@@ -39,10 +39,19 @@ struct TileGrid {
                 std::min(r.y1 + apron, height)};
     }
     // Of the tiles whose rect holds pixel column x, the first and the last.
-    int first_column(int x) const { return std::max(x - apron, 0) / step(); }
-    int last_column(int x) const { return std::min((x + apron) / step(), columns() - 1); }
-    int first_row(int y) const { return std::max(y - apron, 0) / step(); }
-    int last_row(int y) const { return std::min((y + apron) / step(), rows() - 1); }
+    int first_column(int x) const { return steps_in(std::max(x - apron, 0)); }
+    int last_column(int x) const { return std::min(steps_in(x + apron), columns() - 1); }
+    int first_row(int y) const { return steps_in(std::max(y - apron, 0)); }
+    int last_row(int y) const { return std::min(steps_in(y + apron), rows() - 1); }
+
+private:
+    // x / step(), of x below 2^18, where the half keeps rounding from every whole number: a
+    // division of integers takes most of the time of sorting triangles into tiles.
+    int steps_in(int x) const
+    {
+        return static_cast<int>((static_cast<float>(x) + 0.5f) *
+                                (1.0f / static_cast<float>(step())));
+    }
 };
 
 }  // namespace sheer

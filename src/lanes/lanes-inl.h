@@ -125,6 +125,14 @@ struct Lanes {
         {
             return hn::BitCast(I(), hn::ShiftRight<Bits>(hn::BitCast(U(), v)));
         }
+        // Rounds down.
+        template <int Bits>
+        HWY_INLINE whole signed_shift_right() const
+        {
+            return hn::ShiftRight<Bits>(v);
+        }
+        // All bits of lanes below zero.
+        HWY_INLINE whole sign() const { return hn::BroadcastSignBit(v); }
         HWY_INLINE whole shift_right_by(int bits) const
         {
             return hn::BitCast(I(), hn::ShiftRightSame(hn::BitCast(U(), v), bits));
@@ -197,6 +205,8 @@ struct Lanes {
         if constexpr (kOwnMinMax) return hn::Min(a.v, b.v);
         return select(a < b, a, b);
     }
+    static HWY_INLINE whole max(whole a, whole b) { return hn::Max(a.v, b.v); }
+    static HWY_INLINE whole min(whole a, whole b) { return hn::Min(a.v, b.v); }
     static HWY_INLINE real floor(real a)
     {
         const real whole_part = to_real(to_whole(a));
@@ -213,6 +223,46 @@ struct Lanes {
     static HWY_INLINE whole gather(const std::uint32_t* base, whole index)
     {
         return hn::BitCast(I(), hn::GatherIndex(U(), base, index.v));
+    }
+    // Lane i takes element index[i] of kCount elements.
+    class Lookup {
+    public:
+        HWY_INLINE explicit Lookup(whole index)
+            : index_(hn::IndicesFromVec(U(), hn::BitCast(U(), index.v)))
+        {
+        }
+        HWY_INLINE real of(const float* elements) const
+        {
+            return hn::BitCast(F(), look_up(hn::BitCast(U(), hn::LoadU(F(), elements))));
+        }
+        HWY_INLINE whole of(const std::int32_t* elements) const
+        {
+            return hn::BitCast(I(), look_up(hn::BitCast(U(), hn::LoadU(I(), elements))));
+        }
+
+    private:
+        HWY_INLINE hn::Vec<U> look_up(hn::Vec<U> elements) const
+        {
+            return hn::TableLookupLanes(elements, index_);
+        }
+        decltype(hn::IndicesFromVec(U(), hn::Vec<U>())) index_;
+    };
+    // Lane i takes element index[i] of 16 elements.
+    static HWY_INLINE whole look_up_16(const std::uint32_t* elements, whole index)
+    {
+        if constexpr (kCount == 16) {
+            return Lookup(index).of(reinterpret_cast<const std::int32_t*>(elements));
+        } else {
+            return gather(elements, index);
+        }
+    }
+    static HWY_INLINE real look_up_16(const float* elements, whole index)
+    {
+        if constexpr (kCount == 16) {
+            return Lookup(index).of(elements);
+        } else {
+            return gather(elements, index);
+        }
     }
     // Lane i takes bit i of `bits`.
     static HWY_INLINE mask mask_of_bits(std::uint32_t bits)

@@ -30,8 +30,8 @@ SampleSet make_sample_set(int samples, SamplePositions positions, SubpixelShift 
     set.extent = extent;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto word = static_cast<std::uint32_t>(points[i].x | points[i].y << 16);
-        for (std::size_t bits = 0; bits < 256; ++bits) {
-            if ((bits >> (i % 8) & 1) != 0) set.position_sums[i / 8][bits] += word;
+        for (std::size_t bits = 0; bits < 16; ++bits) {
+            if ((bits >> (i % 4) & 1) != 0) set.position_sums[i / 4][bits] += word;
         }
     }
     return set;

@@ -16,9 +16,9 @@ struct SampleSet {
     SampleExtent extent;
     // Offsets from the pixel's centre, in pixels.
     alignas(64) std::array<float, kMaxSamples> offset_x = {}, offset_y = {};
-    // position_sums[byte][bits]: over the samples 8 byte + i with bit i set, the sum of x in the
+    // position_sums[group][bits]: over the samples 4 group + i with bit i set, the sum of x in the
     // lower and of y in the upper half of the word.
-    std::array<std::array<std::uint32_t, 256>, kMaxSamples / 8> position_sums = {};
+    alignas(64) std::array<std::array<std::uint32_t, 16>, kMaxSamples / 4> position_sums = {};
 
     std::uint64_t all() const { return count == kMaxSamples ? ~0ull : (1ull << count) - 1; }
 };

@@ -42,22 +42,53 @@ struct TriangleSurface {
     float side;  // -1 where seen from behind, else 1
 };
 
+// The same of up to a vector of triangles: [vertex 0, and what vertices 1 and 2 add][channel].
+template <class L, std::size_t Channels>
+struct VaryingBatch {
+    alignas(64) float value[3][Channels][L::kCount];
+
+    // Of triangle k, at each vertex.
+    template <class Value>
+    void set(std::size_t k, const Value& at0, const Value& at1, const Value& at2)
+    {
+        for (std::size_t c = 0; c < Channels; ++c) {
+            value[0][c][k] = at0[c];
+            value[1][c][k] = at1[c] - at0[c];
+            value[2][c][k] = at2[c] - at0[c];
+        }
+    }
+    // `of`: each lane's triangle.
+    HWY_INLINE typename L::real at(std::size_t c, const typename L::Lookup& of, typename L::real w1,
+                                   typename L::real w2) const
+    {
+        return of.of(value[0][c]) + w1 * of.of(value[1][c]) + w2 * of.of(value[2][c]);
+    }
+};
+
+template <class L>
+struct SurfaceBatch {
+    VaryingBatch<L, 3> normal;
+    VaryingBatch<L, 4> color;
+    alignas(64) float side[L::kCount];
+};
+
 template <class L>
 struct Shaded {
     typename L::real red, green, blue, opacity;
 };
 
 template <class L>
-HWY_INLINE void apply_light(const TriangleSurface& t, const Lighting& light, typename L::real w1,
-                            typename L::real w2, Shaded<L>& f)
+HWY_INLINE void apply_light(const SurfaceBatch<L>& t, const typename L::Lookup& of,
+                            const Lighting& light, typename L::real w1, typename L::real w2,
+                            Shaded<L>& f)
 {
     using real = typename L::real;
-    const real nx = t.normal.template at<L>(0, w1, w2);
-    const real ny = t.normal.template at<L>(1, w1, w2);
-    const real nz = t.normal.template at<L>(2, w1, w2);
+    const real nx = t.normal.at(0, of, w1, w2);
+    const real ny = t.normal.at(1, of, w1, w2);
+    const real nz = t.normal.at(2, of, w1, w2);
     const real squared = nx * nx + ny * ny + nz * nz;
     // 1e-10 squared: below it a normal is none (docs/numerics.md).
-    const real scale = L::zero_unless(squared >= real(1e-20f), real(t.side) / L::sqrt(squared));
+    const real scale = L::zero_unless(squared >= real(1e-20f), of.of(t.side) / L::sqrt(squared));
     const real facing = (nx * real(light.to_light[0]) + ny * real(light.to_light[1]) +
                          nz * real(light.to_light[2])) *
                         scale;
@@ -87,21 +118,22 @@ HWY_INLINE typename L::real surface_opacity(const Surface& surface, typename L::
     return opacity * real(surface.object_opacity);
 }
 
-// w1, w2: perspective-correct weights of vertices 1 and 2.
+// `of`: each lane's triangle of the batch. w1, w2: perspective-correct weights of vertices 1 and 2.
 template <class L>
-HWY_INLINE Shaded<L> shade(const Surface& surface, const TriangleSurface& t, const Lighting& light,
-                           typename L::real w1, typename L::real w2)
+HWY_INLINE Shaded<L> shade(const Surface& surface, const SurfaceBatch<L>& t,
+                           const typename L::Lookup& of, const Lighting& light, typename L::real w1,
+                           typename L::real w2)
 {
     using real = typename L::real;
     Shaded<L> f{real(surface.color[0]), real(surface.color[1]), real(surface.color[2]), real(1.0f)};
     if (surface.has_vertex_colors) {
-        f.red = f.red * t.color.template at<L>(0, w1, w2);
-        f.green = f.green * t.color.template at<L>(1, w1, w2);
-        f.blue = f.blue * t.color.template at<L>(2, w1, w2);
-        f.opacity = t.color.template at<L>(3, w1, w2);
+        f.red = f.red * t.color.at(0, of, w1, w2);
+        f.green = f.green * t.color.at(1, of, w1, w2);
+        f.blue = f.blue * t.color.at(2, of, w1, w2);
+        f.opacity = t.color.at(3, of, w1, w2);
     }
     f.opacity = surface_opacity<L>(surface, f.opacity);
-    if (surface.shading != Shading::unlit) apply_light<L>(t, light, w1, w2, f);
+    if (surface.shading != Shading::unlit) apply_light<L>(t, of, light, w1, w2, f);
     return f;
 }
 

@@ -1,0 +1,211 @@
+// Up to a vector of a tile's triangles on their way to fragments: set up side by side, a triangle a
+// lane; covered one after the other; shaded together, a fragment a lane, whichever triangle it is
+// of. They are of one object, so that what differs among lanes are numbers.
+#if defined(SHEER_TRIANGLE_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SHEER_TRIANGLE_BATCH_INL_H
+#undef SHEER_TRIANGLE_BATCH_INL_H
+#else
+#define SHEER_TRIANGLE_BATCH_INL_H
+#endif
+
+#include <hwy/cache_control.h>
+
+#include "cpu/light_places-inl.h"
+#include "cpu/locate-inl.h"
+#include "cpu/shade_point-inl.h"
+#include "cpu/tile_fragments.h"
+#include "raster/coverage-inl.h"
+#include "raster/coverage_wide.h"
+#include "shade/detail-inl.h"
+#include "shade/surface-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace sheer::HWY_NAMESPACE {
+
+// The functions and numbers that all triangles of a tile share.
+struct TileSetup {
+    CoverFunction cover_narrow;
+    EyeRays rays;
+};
+
+inline TileSetup make_tile_setup(const TileJob& job)
+{
+    return {cover_function_for(*job.samples), make_eye_rays(job.geometry->eye, job.rect)};
+}
+
+struct TriangleBatch {
+    static constexpr std::size_t kMost = Block::kCount;
+    // Fragments that wait for shading, at most; a triangle has up to kTilePixels.
+    static constexpr int kMostCovered = 2 * kTilePixels;
+
+    std::size_t count = 0;
+    const TriangleChunk* chunk[kMost];
+    const Triangle* triangle[kMost];
+    CornerBatch corners;
+    alignas(64) RealEach depth[3] = {};
+    EdgeBatch edges;
+    PlaneBatch planes;
+    SurfaceBatch<Block> varying;
+    // Triangle k's fragments in the list are begin[k], begin[k] + 1, ... before begin[k + 1].
+    int begin[kMost + 1];
+    // The triangle of each fragment in the list, from the first that waits for shading on.
+    alignas(64) std::int32_t owner[kMostCovered + Block::kCount] = {};
+
+    std::uint32_t object() const { return triangle[0]->object; }
+    bool has_room_for(const Triangle& t) const
+    {
+        return count == 0 || (count < kMost && object() == t.object);
+    }
+};
+
+HWY_INLINE void add_triangle(const Geometry& geometry, const TriangleChunk& from, const Triangle& t,
+                             TriangleBatch& batch)
+{
+    const std::size_t k = batch.count++;
+    batch.chunk[k] = &from;
+    batch.triangle[k] = &t;
+    for (std::size_t i = 0; i < 3; ++i) {
+        batch.corners.x[i][k] = t.x[i];
+        batch.corners.y[i][k] = t.y[i];
+        batch.depth[i][k] = t.depth[i];
+        hwy::Prefetch(&geometry.attributes_of(from, t.vertex[i]));
+    }
+}
+
+// What `shade` needs; materials with more than a colour are set up a triangle at a time.
+HWY_INLINE void set_up_surfaces(const TileJob& job, const Surface& surface, TriangleBatch& batch)
+{
+    SurfaceBatch<Block>& varying = batch.varying;
+    for (std::size_t k = 0; k < batch.count; ++k) {
+        const Triangle& t = *batch.triangle[k];
+        const Attributes& a0 = job.geometry->attributes_of(*batch.chunk[k], t.vertex[0]);
+        const Attributes& a1 = job.geometry->attributes_of(*batch.chunk[k], t.vertex[1]);
+        const Attributes& a2 = job.geometry->attributes_of(*batch.chunk[k], t.vertex[2]);
+        varying.side[k] = t.back_facing ? -1.0f : 1.0f;
+        if (surface.shading != Shading::unlit) {
+            varying.normal.set(k, a0.normal, a1.normal, a2.normal);
+        }
+        if (surface.has_vertex_colors) varying.color.set(k, a0.color, a1.color, a2.color);
+    }
+}
+
+HWY_INLINE void set_up(const TileJob& job, TriangleBatch& batch)
+{
+    const Surface& surface = job.surfaces->surfaces[batch.object()];
+    set_up_edges(batch.corners, batch.count, *job.samples, {job.rect.x0, job.rect.y0, job.region},
+                 batch.edges);
+    set_up_planes(batch.corners, batch.depth, batch.count, job.rect, job.geometry->orthographic,
+                  batch.planes);
+    if (surface.detail == nullptr) set_up_surfaces(job, surface, batch);
+}
+
+// The most fragments that triangle k can have.
+HWY_INLINE int most_fragments(const TriangleBatch& batch, std::size_t k)
+{
+    if ((batch.edges.outside >> k & 1) != 0) return 0;
+    return batch.edges.width[k] * batch.edges.height[k];
+}
+
+// Appends triangle k's fragments to the list, `first` of which is the first that waits for shading.
+HWY_INLINE void cover(const TileJob& job, const TileSetup& setup, std::size_t k, int first,
+                      TriangleBatch& batch, CoverageList& list)
+{
+    const SampleSet& set = *job.samples;
+    const EdgeBatch& edges = batch.edges;
+    const int before = list.count;
+    if ((edges.inside >> k & 1) != 0) {
+        cover_all(set, edges, k, list);
+    } else if ((edges.wide >> k & 1) != 0) {
+        const int x = job.rect.x0 + edges.x0[k], y = job.rect.y0 + edges.y0[k];
+        cover_wide(*batch.triangle[k], set, {x, y, x + edges.width[k], y + edges.height[k]},
+                   job.rect.x0, job.rect.y0, list);
+    } else {
+        setup.cover_narrow(edges, k, set, list);
+    }
+    for (int i = before; i < list.count; i += Block::kCount) {
+        Block::whole(static_cast<std::int32_t>(k)).store(batch.owner + (i - first));
+    }
+}
+
+inline void set_surface(const TileJob& job, const TriangleChunk& chunk, const Triangle& t,
+                        const Surface& surface, TriangleSurface& result)
+{
+    const Geometry& geometry = *job.geometry;
+    const Attributes& a0 = geometry.attributes_of(chunk, t.vertex[0]);
+    const Attributes& a1 = geometry.attributes_of(chunk, t.vertex[1]);
+    const Attributes& a2 = geometry.attributes_of(chunk, t.vertex[2]);
+    result.side = t.back_facing ? -1.0f : 1.0f;
+    if (surface.shading != Shading::unlit) result.normal.set(a0.normal, a1.normal, a2.normal);
+    if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
+}
+
+inline void set_detail(const TileJob& job, const TriangleChunk& chunk, const Triangle& t,
+                       TileScratch& scratch, TriangleDetail& result)
+{
+    const Geometry& geometry = *job.geometry;
+    const TextureAttributes a0 = geometry.texture_attributes_of(chunk, t.vertex[0]);
+    const TextureAttributes a1 = geometry.texture_attributes_of(chunk, t.vertex[1]);
+    const TextureAttributes a2 = geometry.texture_attributes_of(chunk, t.vertex[2]);
+    for (std::size_t set = 0; set < 2; ++set) {
+        result.texcoords[set].set(a0.texcoords[set], a1.texcoords[set], a2.texcoords[set]);
+    }
+    result.tangent.set(a0.tangent, a1.tangent, a2.tangent);
+    result.bitangent_side = a0.tangent[3] < 0 ? -1.0f : 1.0f;
+    set_light_places(job, t, scratch, result);
+}
+
+// Triangle k's fragments, of a material with more than a colour.
+template <class Store>
+HWY_INLINE void shade_detailed(const TileJob& job, const TileSetup& setup,
+                               const TriangleBatch& batch, std::size_t k, const CoverageList& list,
+                               TileScratch& scratch, Store&& store)
+{
+    const Surface& surface = job.surfaces->surfaces[batch.object()];
+    const Triangle& t = *batch.triangle[k];
+    const int end = batch.begin[k + 1];
+    TriangleSurface triangle;
+    TriangleDetail detail;
+    set_surface(job, *batch.chunk[k], t, surface, triangle);
+    set_detail(job, *batch.chunk[k], t, scratch, detail);
+    const Block::Lookup of(Block::whole(static_cast<std::int32_t>(k)));
+    for (int i = batch.begin[k]; i < end; i += Block::kCount) {
+        const LocatedOnScreen at = locate_on_screen(batch.planes, of, *job.samples, list, i);
+        const ShadePoint<Block> point = shade_point(batch.planes, k, setup.rays, at, end - i);
+        const DetailedFragment<Block> f =
+            shade_detail<Block>(surface, triangle, detail, job.surfaces->light, point);
+        store(i, end, at.depth, f.shaded, f.transmittance);
+    }
+}
+
+// The fragments of triangles first, ..., end - 1, a block at a time: `store(i, end, depth at the
+// pixel's centre, shaded, what passes through)` for fragments i, i + 1, ... before `end` of the
+// list.
+template <class Store>
+HWY_INLINE void shade_covered(const TileJob& job, const TileSetup& setup,
+                              const TriangleBatch& batch, std::size_t first, std::size_t end,
+                              const CoverageList& list, TileScratch& scratch, Store&& store)
+{
+    using real = Block::real;
+    const Surface& surface = job.surfaces->surfaces[batch.object()];
+    if (surface.detail != nullptr) {
+        for (std::size_t k = first; k < end; ++k) {
+            if (batch.begin[k] == batch.begin[k + 1]) continue;
+            shade_detailed(job, setup, batch, k, list, scratch, store);
+        }
+        return;
+    }
+    const int begin = batch.begin[first];
+    for (int i = begin; i < batch.begin[end]; i += Block::kCount) {
+        const Block::Lookup of(Block::whole::load(batch.owner + (i - begin)));
+        const Located at = locate(batch.planes, of, *job.samples, list, i);
+        const Shaded<Block> f =
+            shade<Block>(surface, batch.varying, of, job.surfaces->light, at.w1, at.w2);
+        const real rest = real(1.0f) - f.opacity;
+        store(i, batch.begin[end], at.depth, f, Vector<Block>{rest, rest, rest});
+    }
+}
+
+}  // namespace sheer::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif  // SHEER_TRIANGLE_BATCH_INL_H
