@@ -15,8 +15,9 @@ namespace sheer {
 std::uint64_t geometry_bytes(const Scene& scene);
 
 // Throws Error(Fault::work) as plan_memory does. `reserved`: bytes that the caller will need
-// besides; `threads`: wanted.
-MemoryPlan plan_frame_memory(const FrameJob& job, const Options& options, std::uint64_t reserved,
+// besides; `threads`: wanted. Where there is no room to keep a tile's fragments for the passes over
+// them, job.stream_capacity becomes smaller.
+MemoryPlan plan_frame_memory(FrameJob& job, const Options& options, std::uint64_t reserved,
                              int threads);
 
 }  // namespace sheer

@@ -31,6 +31,19 @@ constexpr std::size_t kMostStore = 512 * kMiB;
                                  std::to_string((needed + kMiB - 1) / kMiB) + " MiB are needed");
 }
 
+std::uint64_t base_bytes(const MemoryNeeds& needs)
+{
+    return resident_memory_bytes() + kSlack + needs.reserved +
+           needs.pictures * needs.pixels * kPixelBytes;
+}
+
+// Of one thread.
+std::uint64_t least_bytes(const MemoryNeeds& needs)
+{
+    return needs.thread_bytes + kThreadSlack +
+           static_cast<std::uint64_t>(needs.growing_stores) * kLeastStore;
+}
+
 }  // namespace
 
 void require_memory(std::uint64_t limit, std::uint64_t bytes)
@@ -39,16 +52,19 @@ void require_memory(std::uint64_t limit, std::uint64_t bytes)
     if (needed > limit) refuse(limit, needed);
 }
 
+std::uint64_t memory_needed(const MemoryNeeds& needs)
+{
+    return base_bytes(needs) + std::max(least_bytes(needs), needs.pixels * kEncodedPixelBytes);
+}
+
 MemoryPlan plan_memory(const MemoryNeeds& needs)
 {
     if (needs.limit == 0) return {needs.threads, ~std::size_t{0}};
-    const std::uint64_t base = resident_memory_bytes() + kSlack + needs.reserved +
-                               needs.pictures * needs.pixels * kPixelBytes;
-    const std::uint64_t growing = static_cast<std::uint64_t>(needs.growing_stores);
-    const std::uint64_t least = needs.thread_bytes + kThreadSlack + growing * kLeastStore;
-    const std::uint64_t needed = base + std::max(least, needs.pixels * kEncodedPixelBytes);
+    const std::uint64_t needed = memory_needed(needs);
     if (needed > needs.limit) refuse(needs.limit, needed);
 
+    const std::uint64_t base = base_bytes(needs), least = least_bytes(needs);
+    const std::uint64_t growing = static_cast<std::uint64_t>(needs.growing_stores);
     const std::uint64_t left = needs.limit - base;
     const auto threads = static_cast<int>(
         std::min<std::uint64_t>(static_cast<std::uint64_t>(needs.threads), left / least));

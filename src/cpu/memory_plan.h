@@ -25,6 +25,9 @@ struct MemoryPlan {
 // limit, which there is.
 void require_memory(std::uint64_t limit, std::uint64_t bytes);
 
+// By a process with one thread, what it has already included.
+std::uint64_t memory_needed(const MemoryNeeds& needs);
+
 // Throws the same when not even one thread can work, or when
 // there is no room to encode the picture afterwards.
 MemoryPlan plan_memory(const MemoryNeeds& needs);
