@@ -2,64 +2,25 @@
 // layers in every order of arrival. What was printed holds to half a unit of its last digit.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <cstddef>
 #include <functional>
-#include <set>
-#include <string>
 #include <vector>
 
+#include "reference/five_layers.h"
 #include "reference/layered.h"
+#include "reference/printed.h"
 
 namespace sheer::reference {
 namespace {
 
 using Fragments = std::vector<Fragment>;
 using Method = std::function<Rgba(const Fragments&)>;
-using Printed = std::array<std::string, 3>;
 
-const Fragments kFiveLayers = {{0.2, 0.5, {1, 0, 0}, 1},
-                               {0.4, 0.4, {0, 1, 0}, 2},
-                               {0.5, 0.3, {0, 0, 1}, 3},
-                               {0.7, 0.6, {1, 1, 0}, 4},
-                               {0.9, 0.2, {1, 1, 1}, 5}};
 const Rgba kBackdrop = {0.1, 0.2, 0.3, 0.5};
-
-void expect_printed(double actual, const std::string& printed)
-{
-    const auto point = printed.find('.');
-    const auto decimals = point == std::string::npos ? 0 : printed.size() - point - 1;
-    EXPECT_NEAR(actual, std::stod(printed), 0.5 * std::pow(10, -static_cast<double>(decimals)));
-}
-
-void expect_printed(const Rgba& actual, const Printed& printed)
-{
-    expect_printed(actual.r, printed[0]);
-    expect_printed(actual.g, printed[1]);
-    expect_printed(actual.b, printed[2]);
-}
-
-void expect_same(const Rgba& a, const Rgba& b)
-{
-    EXPECT_NEAR(a.r, b.r, 1e-12);
-    EXPECT_NEAR(a.g, b.g, 1e-12);
-    EXPECT_NEAR(a.b, b.b, 1e-12);
-    EXPECT_NEAR(a.a, b.a, 1e-12);
-}
 
 Fragments far_to_near()
 {
     return {kFiveLayers.rbegin(), kFiveLayers.rend()};
-}
-
-void for_every_order(const std::function<void(const Fragments&)>& visit)
-{
-    const auto by_id = [](const Fragment& a, const Fragment& b) { return a.id < b.id; };
-    Fragments fragments = kFiveLayers;
-    do {
-        visit(fragments);
-    } while (std::next_permutation(fragments.begin(), fragments.end(), by_id));
 }
 
 void expect_exact_in_every_order(const Method& method)
@@ -67,29 +28,6 @@ void expect_exact_in_every_order(const Method& method)
     for_every_order([&](const Fragments& fragments) {
         expect_same(method(fragments), composite(fragments, kBackdrop));
     });
-}
-
-// Over the 120 orders.
-struct Spread {
-    double mean = 0, most = 0;      // of the root mean square over red, green and blue
-    std::set<std::string> results;  // to six decimals
-};
-
-Spread spread_of(const Method& method)
-{
-    Spread spread;
-    for_every_order([&](const Fragments& fragments) {
-        const Rgba got = method(fragments), exact = composite(fragments, {});
-        const double squares = std::pow(got.r - exact.r, 2) + std::pow(got.g - exact.g, 2) +
-                               std::pow(got.b - exact.b, 2);
-        const double error = std::sqrt(squares / 3);
-        spread.mean += error / 120;
-        spread.most = std::max(spread.most, error);
-        std::string text;
-        for (const double c : {got.r, got.g, got.b}) text += std::to_string(c + 1e-9) + " ";
-        spread.results.insert(text);
-    });
-    return spread;
 }
 
 Method mlab_of(int layers, Rgba backdrop = {})

@@ -64,6 +64,31 @@ TEST(ReferencePowerMoments, SumsOfTwoFragments)
     EXPECT_NEAR(absorbance(0.75, 10), 1.386294361, 5e-10);
 }
 
+TEST(ReferencePowerMoments, BiasesAreMomentsThemselves)
+{
+    for (const MomentFormat format : {MomentFormat::fp32, MomentFormat::unorm16}) {
+        double before = 0;
+        for (const int moments : {4, 6, 8}) {
+            const MomentBias bias = power_bias(moments, format);
+            EXPECT_GT(bias.epsilon, before);  // the more moments, the worse their condition
+            before = bias.epsilon;
+            ASSERT_EQ(bias.target.size(), static_cast<std::size_t>(moments));
+            MomentSums sums = {1};
+            sums.insert(sums.end(), bias.target.begin(), bias.target.end());
+            // Of a symmetric measure: half of it is in front of 0, but for what is at 0.
+            const MassInFront mass = mass_in_front(sums, 0, {});
+            EXPECT_NEAR(double(mass.least + mass.most), 1, 1e-12);
+            EXPECT_GT(mass.most, mass.least);
+        }
+    }
+    const auto four = power_bias(4, MomentFormat::fp32),
+               rough = power_bias(4, MomentFormat::unorm16);
+    EXPECT_EQ(four.epsilon, 5e-7);
+    EXPECT_EQ(four.target, (std::vector<double>{0, 0.375, 0, 0.375}));
+    EXPECT_EQ(rough.epsilon, 6e-5);
+    EXPECT_EQ(rough.target, (std::vector<double>{0, 0.628, 0, 0.628}));
+}
+
 // Of four moments, as C. Peters and R. Klein, "Moment shadow mapping", 2015, have it: by factors of
 // the Hankel matrix and three branches.
 long double three_branches(const std::vector<long double>& b, long double z)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -21,6 +22,15 @@ inline void expect_printed(double actual, const std::string& printed)
 {
     // A hair more than half a unit: what lies in the middle of two may be printed as either.
     EXPECT_NEAR(actual, std::stod(printed), half_a_unit(printed) * (1 + 1e-6)) << printed;
+}
+
+using Printed = std::array<std::string, 3>;  // red, green, blue
+
+inline void expect_printed(const Rgba& actual, const Printed& printed)
+{
+    expect_printed(actual.r, printed[0]);
+    expect_printed(actual.g, printed[1]);
+    expect_printed(actual.b, printed[2]);
 }
 
 inline void expect_same(const Rgba& a, const Rgba& b, double tolerance = 1e-12)

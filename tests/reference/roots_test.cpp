@@ -85,6 +85,17 @@ TEST(ReferenceRoots, RealOnesByClosedForms)
     }
 }
 
+TEST(ReferenceRoots, ASmallRealOneDoesNotCancel)
+{
+    for (const double small : {0.0, 1e-12}) {
+        const std::vector<double> expected = {small, 0.3, 0.6, 0.9};
+        const auto polynomial = with_roots(expected, 1.0);
+        auto roots = quartic_roots(std::span<const double>(polynomial));
+        std::sort(roots.begin(), roots.end());
+        for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(roots[i], expected[i], 1e-7);
+    }
+}
+
 // How far the nearest of the others is from each.
 template <typename A, typename B>
 double worst_distance(const std::vector<A>& expected, const std::vector<B>& roots)

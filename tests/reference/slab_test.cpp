@@ -61,6 +61,23 @@ TEST(ReferenceSlab, TheTalksFourFragments)
     EXPECT_EQ(slab_visible_bits(two, 0.9, 4), 3);
 }
 
+TEST(ReferenceSlab, WhichHiddenLayersAreKept)
+{
+    // The second has no bit of its own, and nor has the first behind the third.
+    const Fragments fragments = {{2, 0.5, {1, 0, 0}, 1},
+                                 {3, 0.5, {0, 0, 1}, 2},
+                                 {1, 0.5, {0, 1, 0}, 3},
+                                 {4, 0.5, {1, 1, 0}, 4},
+                                 {5, 0.5, {1, 1, 1}, 5}};
+    const SlabMasks masks = {bits("1100"), bits("0100"), bits("1110"), bits("0000"), bits("0001")};
+    const auto kept = [&](SlabKeep keep) {
+        return depths(slab_store(fragments, masks, 4, 4, keep));
+    };
+    EXPECT_EQ(kept(SlabKeep::purged), (std::vector{1.0, 5.0}));
+    EXPECT_EQ(kept(SlabKeep::visible), (std::vector{1.0, 2.0, 5.0}));
+    EXPECT_EQ(kept(SlabKeep::nearest), (std::vector{1.0, 2.0, 3.0, 5.0}));
+}
+
 // E. Enderton et al., "Stochastic transparency", 2010: how many samples' nearest masked fragment is
 // not in front of (depth, id).
 int samples_that_see(const Fragments& fragments, const SlabMasks& masks, std::size_t i, int b)

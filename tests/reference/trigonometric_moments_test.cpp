@@ -1,8 +1,10 @@
 // Trigonometric moments: values known from another program, and few layers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -10,6 +12,8 @@
 
 #include "reference/moment_sets.h"
 #include "reference/printed.h"
+#include "reference/random_fragments.h"
+#include "reference/roots.h"
 #include "reference/trigonometric_moments.h"
 
 namespace sheer::reference {
@@ -62,6 +66,87 @@ TEST(ReferenceTrigonometricMoments, TheWrappingZone)
         before = t;
     }
     EXPECT_LT(before, 7);
+}
+
+// The way of shaders, in double precision: a Toeplitz system, roots by closed forms, and masses
+// from a Vandermonde system.
+std::vector<Complex> solved(std::vector<std::vector<Complex>> rows, std::vector<Complex> right)
+{
+    for (std::size_t k = 0; k < right.size(); ++k) {
+        for (std::size_t i = 0; i < right.size(); ++i) {
+            if (i == k) continue;
+            const Complex factor = rows[i][k] / rows[k][k];
+            for (std::size_t j = 0; j < right.size(); ++j) rows[i][j] -= factor * rows[k][j];
+            right[i] -= factor * right[k];
+        }
+    }
+    for (std::size_t k = 0; k < right.size(); ++k) right[k] /= rows[k][k];
+    return right;
+}
+
+std::vector<Complex> closed_roots(const std::vector<Complex>& k)
+{
+    if (k.size() == 5) return quartic_roots(std::span<const Complex>(k));
+    if (k.size() == 4) return cubic_roots(std::span<const Complex>(k));
+    const Complex p = k[1] / k[2] / 2.0, root = std::sqrt(p * p - k[0] / k[2]);
+    return {-p + root, -p - root};
+}
+
+// `wrapped` counts atoms of which a part of the wrapping zone, but not all, is in front.
+double shader_transmittance(const TrigonometricSums& sums, double z, double epsilon, double beta,
+                            int& wrapped)
+{
+    const std::size_t n = sums.size();
+    std::vector<Complex> b = {1}, right;
+    for (std::size_t j = 1; j < n; ++j) {
+        b.emplace_back((1 - epsilon) * std::complex<double>(sums[j] / sums[0]));
+    }
+    const double phi = phase_angle(z, kWrappingZone);
+    std::vector<std::vector<Complex>> toeplitz(n, std::vector<Complex>(n));
+    for (std::size_t k = 0; k < n; ++k) {
+        for (std::size_t l = 0; l < n; ++l)
+            toeplitz[k][l] = k >= l ? b[k - l] : std::conj(b[l - k]);
+        right.push_back(std::polar(1.0, double(k) * phi));
+    }
+    std::vector<Complex> polynomial = solved(toeplitz, right);
+    for (Complex& c : polynomial) c = std::conj(c);
+    std::vector<Complex> atoms = closed_roots(polynomial);
+    atoms.insert(atoms.begin(), std::polar(1.0, phi));
+    std::vector<std::vector<Complex>> vandermonde(n, std::vector<Complex>(n));
+    for (std::size_t j = 0; j < n; ++j) {
+        for (std::size_t i = 0; i < n; ++i) vandermonde[j][i] = std::pow(atoms[i], double(j));
+    }
+    const std::vector<Complex> masses = solved(vandermonde, b);
+    double h = beta * masses[0].real();
+    for (std::size_t i = 1; i < n; ++i) {
+        const double t = circle_parameter(atoms[i]);
+        const double part = std::clamp(t * 2.793604493 - 18.555231453, 0.0, 1.0);
+        wrapped += part > 0.01 && part < 0.99 && masses[i].real() > 0.01 ? 1 : 0;
+        h += masses[i].real() * ((t < circle_parameter(atoms[0]) ? 1 : 0) + part);
+    }
+    return std::clamp(std::exp(-double(sums[0].real()) * h), 0.0, 1.0);
+}
+
+TEST(ReferenceTrigonometricMoments, AreThoseOfShaders)
+{
+    RandomFragments random(1);
+    int wrapped = 0;
+    for (int round = 0; round < 200; ++round) {
+        auto fragments = random.list(3 + random.below(10));
+        for (Fragment& f : fragments) {
+            f.depth = 2 * f.depth - 1;
+            f.opacity *= 0.5;
+        }
+        const double z = 2 * random.uniform() - 1;
+        for (const int moments : {2, 3, 4}) {
+            const auto sums = trigonometric_moments(fragments, moments, kUnlimited, kWrappingZone);
+            // A bias of .01 leaves systems with condition numbers below 1e4; roots by closed forms
+            // have half of the digits.
+            EXPECT_NEAR(shader_transmittance(sums, z, .01, .25, wrapped),
+                        trigonometric_transmittance(sums, z, .01, .25, kWrappingZone), 1e-6);
+        }
+    }
+    EXPECT_GT(wrapped, 10);
 }
 
 // Moments of m layers leave no other measure, but for a bias of which the square root counts.

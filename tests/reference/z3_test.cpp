@@ -74,8 +74,27 @@ TEST(ReferenceZ3Pixel, SlopesLetSurfacesPassThroughEachOther)
     const std::vector<SlopedFragment> planes = {{{1, 1, {1, 0, 0}, 1}, 1, 0, kAll},
                                                 {{1, 1, {0, 0, 1}, 2}, -1, 0, kAll}};
     expect_same(z3_pixel(planes, 2, Z3Depth::mean, kFourSamples, {}), {0.5, 0, 0.5, 1});
+    // Samples 0 and 2 are on the left.
+    auto left = planes;
+    for (SlopedFragment& plane : left) plane.mask = 0b0101;
+    expect_same(z3_pixel(left, 2, Z3Depth::mean, kFourSamples, {}), {0.5, 0, 0, 0.5});
     // Joined, the one with the smaller id is in front everywhere.
     expect_same(z3_pixel(planes, 1, Z3Depth::mean, kFourSamples, {}), {1, 0, 0, 1});
+}
+
+TEST(ReferenceZ3Pixel, JoinedSlopesAreTheirMean)
+{
+    // Red and green are joined and have a slope of 1. With red's of 2 it would be in front of blue
+    // everywhere, with green's in two samples.
+    const std::vector<SlopedFragment> planes = {{{1, 1, {1, 0, 0}, 1}, 2, 0, kAll},
+                                                {{1, 1, {0, 1, 0}, 2}, 0, 0, kAll},
+                                                {{9, 1, {0, 0, 1}, 3}, 0, 0, kAll}};
+    auto joined = planes;
+    joined[2] = {{1.125, 1, {0, 0, 1}, 3}, 2, 0, kAll};
+    // Depths at x = -.375, -.125, .125 and .375: .625, .875, 1.125, 1.375, and blue's .375, .875,
+    // 1.375, 1.875. The tie goes to the smaller id.
+    expect_same(z3_pixel(joined, 2, Z3Depth::mean, kFourSamples, {}), {0.75, 0, 0.25, 1});
+    expect_same(z3_pixel(planes, 2, Z3Depth::mean, kFourSamples, {}), {1, 0, 0, 1});
 }
 
 TEST(ReferenceZ3Pixel, JoinedMasksCoverWhatBothDid)
