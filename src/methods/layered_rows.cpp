@@ -6,6 +6,7 @@ namespace sheer {
 StoreVerbs k_buffer_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs hybrid_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs mlab_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs z3_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs adaptive_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs dual_depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
@@ -25,7 +26,8 @@ MethodTraits layered_traits(const ChosenMethod& method)
     return traits;
 }
 
-MethodTraits mlab_traits(const ChosenMethod& method)
+// Where two neighbours of one too many become one.
+MethodTraits joining_traits(const ChosenMethod& method)
 {
     MethodTraits traits = layered_traits(method);
     ++traits.exact_up_to;
@@ -162,7 +164,20 @@ MethodRow mlab_row()
          .parameters = {kLayers},
          .traits = {},
          .verbs = mlab_verbs,
-         .traits_of = mlab_traits});
+         .traits_of = joining_traits});
+}
+
+MethodRow z3_row()
+{
+    return with_standard_traits(
+        {.id = "z3",
+         .title = "Z3: a few layers, of which the two closest in depth become one",
+         .citation = "Jouppi and Chang. Z3: An Economical Hardware Technique for High-Quality "
+                     "Antialiasing and Transparency. EGGH 1999",
+         .parameters = {kLayers},
+         .traits = {},
+         .verbs = z3_verbs,
+         .traits_of = joining_traits});
 }
 
 MethodRow adaptive_row()

@@ -19,12 +19,13 @@ MethodRow dual_depth_peeling_row();
 MethodRow k_buffer_row();
 MethodRow hybrid_row();
 MethodRow mlab_row();
+MethodRow z3_row();
 MethodRow adaptive_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 14> kTable = {{
+    static const std::array<MethodRow, 15> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -67,6 +68,7 @@ std::span<const MethodRow> method_table()
         k_buffer_row(),
         hybrid_row(),
         mlab_row(),
+        z3_row(),
         adaptive_row(),
         {.id = "weighted-average",
          .title = "Weighted average: every layer counts alike",

@@ -53,15 +53,24 @@ Layer join(const Layer& front, const Layer& behind, Z3Depth depth)
     return joined;
 }
 
-void join_closest(std::vector<Layer>& layers, Z3Depth depth)
+void join_closest(std::vector<Layer>& layers, Z3Depth depth, bool* doubtful = nullptr)
 {
     const auto gap = [&](std::size_t i) { return layers[i + 1].depth - layers[i].depth; };
     std::size_t closest = 0;
     for (std::size_t i = 1; i + 1 < layers.size(); ++i) {
         if (gap(i) < gap(closest)) closest = i;
     }
+    const auto as_float = [&](std::size_t i) { return static_cast<float>(gap(i)); };
+    for (std::size_t i = 0; doubtful != nullptr && i + 1 < layers.size(); ++i) {
+        if (gap(i) != gap(closest) && as_float(i) == as_float(closest)) *doubtful = true;
+    }
     layers[closest] = join(layers[closest], layers[closest + 1], depth);
     layers.erase(layers.begin() + static_cast<std::ptrdiff_t>(closest) + 1);
+}
+
+void insert_sorted(std::vector<Layer>& layers, const Layer& layer)
+{
+    layers.insert(std::upper_bound(layers.begin(), layers.end(), layer, nearer), layer);
 }
 
 Rgba seen_by(std::vector<Layer> layers, std::size_t s, SamplePoint sample, Rgba backdrop)
@@ -91,8 +100,7 @@ Rgba z3_pixel(std::span<const SlopedFragment> fragments, int layers, Z3Depth dep
 {
     std::vector<Layer> kept;
     for (const SlopedFragment& f : fragments) {
-        const Layer layer = layer_of(f);
-        kept.insert(std::upper_bound(kept.begin(), kept.end(), layer, nearer), layer);
+        insert_sorted(kept, layer_of(f));
         if (kept.size() > static_cast<std::size_t>(layers)) join_closest(kept, depth);
     }
     Rgba mean;
@@ -104,12 +112,18 @@ Rgba z3_pixel(std::span<const SlopedFragment> fragments, int layers, Z3Depth dep
     return mean;
 }
 
-Rgba z3(std::span<const Fragment> fragments, int layers, Z3Depth depth, Rgba backdrop)
+Rgba z3(std::span<const Fragment> fragments, int layers, Z3Depth depth, Rgba backdrop,
+        bool* doubtful)
 {
-    std::vector<SlopedFragment> flat;
-    for (const Fragment& f : fragments) flat.push_back({f, 0, 0, 1});
-    const SamplePoint center = {128, 128};
-    return z3_pixel(flat, layers, depth, {&center, 1}, backdrop);
+    std::vector<Layer> kept;
+    for (const Fragment& f : fragments) {
+        insert_sorted(kept, layer_of({f, 0, 0, 1}));
+        if (kept.size() <= static_cast<std::size_t>(layers)) continue;
+        join_closest(kept, depth, doubtful);
+        if (doubtful == nullptr) continue;
+        for (Layer& layer : kept) layer.depth = static_cast<double>(static_cast<float>(layer.depth));
+    }
+    return seen_by(kept, 0, {128, 128}, backdrop);
 }
 
 }  // namespace sheer::reference

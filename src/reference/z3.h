@@ -15,8 +15,11 @@ namespace sheer::reference {
 enum class Z3Depth { mean, front };
 
 // One sample, fragments in the order of arrival. Neighbours by (depth, id) are compared; of pairs
-// equally close the nearer one is joined: one over the other, with the nearer's id.
-Rgba z3(std::span<const Fragment> fragments, int layers, Z3Depth depth, Rgba backdrop);
+// equally close the nearer one is joined: one over the other, with the nearer's id. Given
+// `doubtful`, depths are floats, those between two others too; it is set where floats might choose
+// another pair, as the differences of two have the same nearest float.
+Rgba z3(std::span<const Fragment> fragments, int layers, Z3Depth depth, Rgba backdrop,
+        bool* doubtful = nullptr);
 
 // A fragment of a whole pixel.
 struct SlopedFragment {

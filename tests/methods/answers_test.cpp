@@ -12,6 +12,7 @@
 #include "methods/tile_fixture.h"
 #include "reference/layered.h"
 #include "reference/methods.h"
+#include "reference/z3.h"
 
 namespace sheer {
 
@@ -116,6 +117,12 @@ Rgba layered_answer(const ChosenMethod& method, const Fragments& fragments, Rgba
         const Rgba color = reference::adaptive(fragments, layers, behind, &doubtful);
         return doubtful ? kUnknown : color;
     }
+    if (id == "z3") {
+        bool doubtful = false;
+        const Rgba color =
+            reference::z3(fragments, layers, reference::Z3Depth::mean, behind, &doubtful);
+        return doubtful ? kUnknown : color;
+    }
     if (id == "mlab") return reference::mlab(fragments, layers, behind);
     if (id == "hybrid") {
         return reference::hybrid(fragments, layers, tail_of(method.value("tail")), behind);
@@ -134,7 +141,7 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     if (id == "exact") return reference::composite(fragments, behind);
     if (id == "weighted-average") return reference::weighted_average(fragments, behind);
     if (id == "wboit") return wboit_answer(setting, plates, behind, place);
-    if (id == "mlab" || id == "k-buffer" || id == "hybrid" || id == "adaptive" ||
+    if (id == "mlab" || id == "z3" || id == "k-buffer" || id == "hybrid" || id == "adaptive" ||
         id.ends_with("depth-peeling")) {
         return layered_answer(setting.method, fragments_in_floats(setting, plates, place), behind);
     }

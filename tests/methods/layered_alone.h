@@ -69,6 +69,27 @@ struct MlabAlone : LayersAlone<L> {
 };
 
 template <class L>
+struct Z3Alone : MlabAlone<L> {
+    using T = Texts<L>;
+    using Store = typename LayersAlone<L>::Layers;
+
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        const auto fallen = this->exchange(s, this->layer(i, at));
+        const auto count = static_cast<std::uint32_t>(s.size());
+        auto choice = T::z3_no_choice();
+        for (std::uint32_t k = 0; k + 1 < count; ++k) {
+            choice = T::z3_choose(choice, k, s[k], s[k + 1]);
+        }
+        choice = T::z3_choose_last(choice, count, s.back(), fallen, this->beyond_any());
+        for (std::uint32_t k = 0; k < count; ++k) {
+            s[k] = T::z3_join(choice, k, s[k], k + 1 < count ? s[k + 1] : fallen);
+        }
+        return s;
+    }
+};
+
+template <class L>
 struct KBufferAlone : LayersAlone<L> {
     using T = Texts<L>;
     using Layer = typename T::Layer;

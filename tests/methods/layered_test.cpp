@@ -27,13 +27,14 @@ Plate full_plate(std::uint32_t number, double depth, Float4 color)
     return plate;
 }
 
-// The five layers near to far, and numbered so.
+// The five layers near to far, and numbered so. Depths are whole, so that floats know which gaps
+// between them are equal.
 const Plates& five_layers()
 {
     static const Plates plates = {
-        full_plate(1, 0.2, {1, 0, 0, 0.5f}), full_plate(2, 0.4, {0, 1, 0, 0.4f}),
-        full_plate(3, 0.5, {0, 0, 1, 0.3f}), full_plate(4, 0.7, {1, 1, 0, 0.6f}),
-        full_plate(5, 0.9, {1, 1, 1, 0.2f})};
+        full_plate(1, 2, {1, 0, 0, 0.5f}), full_plate(2, 4, {0, 1, 0, 0.4f}),
+        full_plate(3, 5, {0, 0, 1, 0.3f}), full_plate(4, 7, {1, 1, 0, 0.6f}),
+        full_plate(5, 9, {1, 1, 1, 0.2f})};
     return plates;
 }
 
@@ -143,6 +144,43 @@ TEST(Layered, MlabWithOneLayerIsExactFromFarToNear)
     expect_color(resolved("mlab:layers=1", plates, 4), kExact, kRounding);
 }
 
+TEST(Layered, Z3OfFiveLayersInEveryOrder)
+{
+    const struct {
+        int layers;
+        double mean, most;
+        std::size_t results;
+    } rows[] = {{1, .102242, .220468, 20}, {2, .007348, .048990, 2}};
+    for (const auto& row : rows) {
+        SCOPED_TRACE(row.layers);
+        const Spread spread = spread_of(with_layers("z3", row.layers));
+        EXPECT_NEAR(spread.mean, row.mean, kPrinted);
+        EXPECT_NEAR(spread.most, row.most, kPrinted);
+        EXPECT_EQ(spread.results, row.results);
+    }
+    // The middle ones are the closest: with three layers all that become one are neighbours.
+    expect_exact_in_every_order("z3:layers=3");
+    expect_exact_in_every_order("z3");
+}
+
+// With two layers: of 0.1, x and 0.9 those become one that are closest, and a fourth shows which.
+TEST(Layered, Z3JoinsTheClosest)
+{
+    const auto error = [](double x, double last) {
+        const double depths[] = {0.1, x, 0.9, last};
+        Plates plates(five_layers().begin(), five_layers().begin() + 4);
+        for (std::size_t i = 0; i < 4; ++i) plates[i].depth = make_plane(depths[i], 0, 0);
+        const auto exact = resolved("exact", plates, 2), got = resolved("z3:layers=2", plates, 2);
+        EXPECT_NEAR(got[3], exact[3], kRounding);
+        return std::abs(got[0] - exact[0]) + std::abs(got[1] - exact[1]) +
+               std::abs(got[2] - exact[2]);
+    };
+    EXPECT_LT(error(0.4, 0.8), 3 * kRounding);
+    EXPECT_GT(error(0.4, 0.3), 0.01);
+    EXPECT_LT(error(0.7, 0.3), 3 * kRounding);
+    EXPECT_GT(error(0.7, 0.8), 0.01);
+}
+
 TEST(Layered, KBufferOfFiveLayersInEveryOrder)
 {
     const struct {
@@ -213,7 +251,7 @@ TEST(Layered, TiesAreBrokenById)
 {
     Plates plates = five_layers();
     for (Plate& plate : plates) plate.depth = make_plane(0.5, 0, 0);
-    for (const char* method : {"mlab", "k-buffer", "k-buffer:merge=discard:layers=5", "hybrid",
+    for (const char* method : {"mlab", "z3", "k-buffer", "k-buffer:merge=discard:layers=5", "hybrid",
                                "adaptive", "depth-peeling", "dual-depth-peeling"}) {
         SCOPED_TRACE(method);
         const Plates reversed(plates.rbegin(), plates.rend());

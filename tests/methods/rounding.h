@@ -76,7 +76,7 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         formula = 2 * n + 2 + n + backdrop;
     } else if (id == "weighted-average") {
         formula = 2 * (n + 2) + 2 * (4 * n + 1) + 6;
-    } else if (id == "mlab" || id == "k-buffer" || id.ends_with("depth-peeling")) {
+    } else if (id == "mlab" || id == "z3" || id == "k-buffer" || id.ends_with("depth-peeling")) {
         formula = 9 * n + 4;
     } else if (id == "adaptive") {
         formula = 3 * n + 3 + backdrop;

@@ -33,6 +33,7 @@ struct Texts {
 #include "sheer/stratified_stochastic.glsl"
 #include "sheer/layers.glsl"
 #include "sheer/mlab.glsl"
+#include "sheer/z3.glsl"
 #include "sheer/k_buffer.glsl"
 #include "sheer/hybrid.glsl"
 #include "sheer/adaptive.glsl"
@@ -345,6 +346,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "stochastic") return make_alone<L, StochasticAlone>(lists, method);
     if (id == "stratified-stochastic") return make_alone<L, StratifiedAlone>(lists, method);
     if (id == "mlab") return make_alone<L, MlabAlone>(lists, method);
+    if (id == "z3") return make_alone<L, Z3Alone>(lists, method);
     if (id == "k-buffer") return make_alone<L, KBufferAlone>(lists, method);
     if (id == "hybrid") return make_alone<L, HybridAlone>(lists, method);
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
@@ -380,6 +382,9 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "stratified-stochastic:compaction=off:sort=off:dither=none",
     "mlab",
     "mlab:layers=1",
+    "z3",
+    "z3:layers=1",
+    "z3:layers=3",
     "k-buffer",
     "k-buffer:layers=1",
     "k-buffer:layers=3:merge=nearest-two",

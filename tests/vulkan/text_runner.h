@@ -125,7 +125,7 @@ private:
             all.push_back({3, method.value("round") == "tile-dither" ? 1u : 0u});
             all.push_back({4, method.value("correction") == "on" ? 1u : 0u});
         }
-        if (id == "mlab" || id == "k-buffer" || id == "hybrid") {
+        if (id == "mlab" || id == "z3" || id == "k-buffer" || id == "hybrid") {
             all.push_back({1, static_cast<std::uint32_t>(method.number("layers"))});
         }
         if (id == "adaptive") {
