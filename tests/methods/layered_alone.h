@@ -236,12 +236,12 @@ struct AdaptiveAlone : LayersAlone<L> {
     }
 };
 
-// As many passes as the lists here may need.
+// Until a pass finds nothing.
 template <class L>
 struct DepthPeelingAlone : LayersAlone<L> {
     using T = Texts<L>;
     using Store = typename T::DepthPeel;
-    static constexpr int kPasses = 64;
+    static constexpr int kPasses = 4096;
     mutable int begun = 0;
 
     Store clear() const
@@ -251,11 +251,14 @@ struct DepthPeelingAlone : LayersAlone<L> {
     }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
-        if (this->pass >= this->method.number("peels")) return s;
         if (this->pass != begun) s = T::depth_peeling_begin(s, this->beyond_any());
         begun = this->pass;
-        if (!(s.front.depth < this->beyond_any())) return s;  // nothing is left
         return T::depth_peeling_insert(s, this->layer(i, at));
+    }
+    bool done(const Store& s) const
+    {
+        return this->pass + 1 == this->method.number("peels") ||
+               !(s.nearest.depth < this->beyond_any());
     }
     static auto all(const Store& s)
     {
@@ -276,7 +279,7 @@ template <class L>
 struct DualPeelingAlone : LayersAlone<L> {
     using T = Texts<L>;
     using Store = typename T::DualPeel;
-    static constexpr int kPasses = 64;
+    static constexpr int kPasses = 4096;
     mutable int begun = 0;
 
     Store clear() const
@@ -286,11 +289,14 @@ struct DualPeelingAlone : LayersAlone<L> {
     }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
-        if (this->pass >= this->method.number("peels")) return s;
         if (this->pass != begun) s = T::dual_peeling_begin(s, this->beyond_any());
         begun = this->pass;
-        if (!(s.front.depth < this->beyond_any())) return s;  // nothing is left
         return T::dual_peeling_insert(s, this->layer(i, at));
+    }
+    bool done(const Store& s) const
+    {
+        return this->pass + 1 == this->method.number("peels") ||
+               !(s.nearest.depth < this->beyond_any());
     }
     static auto all(const Store& s)
     {

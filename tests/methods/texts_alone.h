@@ -314,6 +314,9 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const ChosenMethod
                     const std::size_t sorted = s * lists.fragments.size() + i;
                     store = text.insert(store, Method<L>::kSorted ? lists.sorted[sorted] : i, s);
                 }
+                if constexpr (requires { text.done(store); }) {
+                    if (text.done(store)) break;
+                }
             }
             const auto behind = [&](std::size_t c) { return real(backdrop.channel(pixel, c)[s]); };
             const auto color = Method<L>::resolve(store, {behind(0), behind(1), behind(2)});
