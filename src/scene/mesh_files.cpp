@@ -21,12 +21,14 @@ std::string name_of_file(const std::string& path)
     return std::filesystem::path(path).stem().string();
 }
 
-Material plain_material(const std::string& name, bool colored_vertices)
+Material plain_material(const std::string& name, bool colored_vertices, Topology topology)
 {
     constexpr float kLightGrey = 0.7f;  // bright enough for shape to show, and no highlight clips
+    constexpr float kDarkGrey = 0.1f;   // in full light a sixth of the default background's light
+    const float grey = topology == Topology::triangles ? kLightGrey : kDarkGrey;
     Material material;
     material.name = name;
-    if (!colored_vertices) material.base_color = {kLightGrey, kLightGrey, kLightGrey};
+    if (!colored_vertices) material.base_color = {grey, grey, grey};
     material.double_sided = true;
     return material;
 }

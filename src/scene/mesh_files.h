@@ -15,9 +15,10 @@ namespace sheer {
 // The file's name without folder and suffix: what is in a file that names nothing is called so.
 std::string name_of_file(const std::string& path);
 
-// For what has no material of its own: light grey, or white where the vertices have colours; seen
-// from both sides, since such files do not care which way triangles turn.
-Material plain_material(const std::string& name, bool colored_vertices);
+// For what has no material of its own: light grey, dark grey for lines and points, which are too
+// thin to show as light ones, or white where the vertices have colours; seen from both sides, since
+// such files do not care which way triangles turn.
+Material plain_material(const std::string& name, bool colored_vertices, Topology topology);
 
 // Vertex colours stand in files as in pictures, encoded as sRGB. Values outside of [0, 1] and NaN
 // are clamped.

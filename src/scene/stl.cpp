@@ -150,7 +150,7 @@ bool is_binary_stl(const Bytes& content)
 Scene read_stl(const std::string& path, const Bytes& content)
 {
     Scene scene;
-    scene.materials.push_back(plain_material(name_of_file(path), false));
+    scene.materials.push_back(plain_material(name_of_file(path), false, Topology::triangles));
     const std::string_view text = as_text(content);
     const std::size_t start = std::min(text.size(), text.find_first_not_of(" \t\r\n\xef\xbb\xbf"));
     const bool is_text = in_small_letters(text.substr(start, 5)) == "solid";

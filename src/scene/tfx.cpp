@@ -80,7 +80,7 @@ Scene read_tfx(const std::string& path, const Bytes& content)
     }
     mesh.width = std::min(kWidth * longest_side(mesh.positions), kMostWidth);
     Scene scene;
-    scene.materials.push_back(plain_material(mesh.name, false));
+    scene.materials.push_back(plain_material(mesh.name, false, Topology::lines));
     place_mesh(scene, std::move(mesh));
     return scene;
 }

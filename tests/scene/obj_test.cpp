@@ -147,6 +147,17 @@ TEST(Obj, PolylinesShareTheirPoints)
     EXPECT_EQ(scene.meshes[1].positions, (std::vector<Float3>{{1, 0, 0}, {1, 1, 0}}));
 }
 
+TEST(Obj, ThinThingsWithoutAMaterialAreDark)
+{
+    const Scene scene = read(kSquare + "f 1 2 3\nl 1 2\np 3\nl 2 4\n");
+    ASSERT_EQ(scene.meshes.size(), 3u);
+    ASSERT_EQ(scene.materials.size(), 2u);
+    for (const Mesh& mesh : scene.meshes) {
+        const float grey = mesh.topology == Topology::triangles ? 0.7f : 0.1f;
+        EXPECT_EQ(scene.materials[mesh.material].base_color, (Float3{grey, grey, grey}));
+    }
+}
+
 TEST(Obj, VerticesAloneArePoints)
 {
     const Mesh mesh = read("vn 0 0 1\nv 1 2 3\nvn 0 0 1\nv 4 5 6\n").meshes[0];

@@ -161,6 +161,9 @@ TEST(Ply, EdgesAreLines)
     EXPECT_EQ(both.meshes[0].indices, (Indices{1, 0, 0, 1}));
     EXPECT_EQ(both.meshes[1].indices, (Indices{0, 1, 2}));
     EXPECT_NE(both.objects[0].id, both.objects[1].id);
+    // What is thin is dark, to be seen before a light background.
+    EXPECT_EQ(both.materials[both.meshes[0].material].base_color, (Float3{0.1f, 0.1f, 0.1f}));
+    EXPECT_EQ(both.materials[both.meshes[1].material].base_color, (Float3{0.7f, 0.7f, 0.7f}));
 }
 
 TEST(Ply, VerticesAloneArePoints)

@@ -169,7 +169,7 @@ std::optional<Texture> Materials::base_color_texture(const MtlMaterial& mtl)
 
 Material Materials::make(const std::string& name, const MtlMaterial& mtl)
 {
-    Material material = plain_material(name, mtl.map_kd.has_value());
+    Material material = plain_material(name, mtl.map_kd.has_value(), Topology::triangles);
     material.shading = Shading::metallic_roughness;
     if (mtl.kd) material.base_color = *mtl.kd;
     for (float& c : material.base_color) c = std::min(c, 1.0f);

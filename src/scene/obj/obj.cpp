@@ -241,16 +241,22 @@ private:
     }
 
     // In Scene::materials.
-    std::uint32_t material(const std::string& name, Materials& materials)
+    std::uint32_t material(const PartKey& key, Materials& materials)
     {
+        const auto found = library_.find(key.material);
+        // Plain faces differ from plain lines and points.
+        const bool thin = found == library_.end() && key.topology != Topology::triangles;
         const auto [entry, is_new] = material_numbers_.try_emplace(
-            name, static_cast<std::uint32_t>(scene_.materials.size()));
+            {key.material, thin}, static_cast<std::uint32_t>(scene_.materials.size()));
         if (!is_new) return entry->second;
-        if (const auto found = library_.find(name); found != library_.end()) {
-            scene_.materials.push_back(materials.make(name, found->second));
+        if (found != library_.end()) {
+            scene_.materials.push_back(materials.make(key.material, found->second));
         } else {
-            if (!name.empty()) notes_.add("materials that no library has", "drawn grey");
-            scene_.materials.push_back(plain_material(name, !attributes_.colors.empty()));
+            if (!key.material.empty() && !material_numbers_.contains({key.material, !thin})) {
+                notes_.add("materials that no library has", "drawn grey");
+            }
+            scene_.materials.push_back(
+                plain_material(key.material, !attributes_.colors.empty(), key.topology));
         }
         return entry->second;
     }
@@ -261,7 +267,7 @@ private:
         for (Part& p : parts_.all()) {
             if (p.indices.empty()) continue;
             Mesh mesh = to_mesh(p, attributes_, notes_);
-            mesh.material = material(p.key.material, materials);
+            mesh.material = material(p.key, materials);
             place_mesh(scene_, std::move(mesh));
         }
     }
@@ -276,7 +282,8 @@ private:
         points.colors = std::move(attributes_.colors);
         points.indices.resize(points.positions.size());
         std::iota(points.indices.begin(), points.indices.end(), 0u);
-        scene_.materials.push_back(plain_material(points.name, !points.colors.empty()));
+        scene_.materials.push_back(
+            plain_material(points.name, !points.colors.empty(), Topology::points));
         place_mesh(scene_, std::move(points));
     }
 
@@ -294,7 +301,7 @@ private:
     std::vector<std::uint32_t> polygon_;
     std::set<std::string> libraries_;  // read already
     Library library_;
-    std::map<std::string, std::uint32_t> material_numbers_;
+    std::map<std::pair<std::string, bool>, std::uint32_t> material_numbers_;
 };
 
 }  // namespace

@@ -53,8 +53,12 @@ Scene to_scene(const std::string& path, Model model)
     const std::string name = name_of_file(path);
     Mesh& mesh = model.faces;
     mesh.name = name;
-    scene.materials.push_back(plain_material(name, !mesh.colors.empty()));
-    if (model.transparent) scene.materials[0].alpha_mode = AlphaMode::blend;
+    const auto add_material = [&](Topology topology) {
+        Material material = plain_material(name, !mesh.colors.empty(), topology);
+        if (model.transparent) material.alpha_mode = AlphaMode::blend;
+        scene.materials.push_back(std::move(material));
+        return static_cast<std::uint32_t>(scene.materials.size() - 1);
+    };
     if (mesh.indices.empty()) {
         // Lines and points face the camera.
         mesh.normals = {};
@@ -62,8 +66,11 @@ Scene to_scene(const std::string& path, Model model)
         mesh.topology = model.lines.empty() ? Topology::points : Topology::lines;
         mesh.indices = model.lines.empty() ? all_of(mesh.positions) : std::move(model.lines);
     } else if (!model.lines.empty()) {
-        place_mesh(scene, edges_of(mesh, std::move(model.lines)));
+        Mesh edges = edges_of(mesh, std::move(model.lines));
+        edges.material = add_material(Topology::lines);
+        place_mesh(scene, std::move(edges));
     }
+    mesh.material = add_material(mesh.topology);
     gltf::Notes notes;
     gltf::repair_normals(mesh, notes);
     scene.ignored = notes.lines();
