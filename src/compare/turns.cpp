@@ -61,13 +61,6 @@ bool is_blend(const std::string& method)
     return choose_method(method).row->id == std::string_view("blend");
 }
 
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    const std::size_t half = values.size() / 2;
-    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
 template <class Value>
 double median_of(std::size_t rounds, Value value)
 {
@@ -145,6 +138,13 @@ Timing time_method(const std::vector<Stats>& rounds, const Turns& turns)
 }
 
 }  // namespace
+
+double median(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    const std::size_t half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
+}
 
 Turns take_turns(Scene& scene, const View& view, const Options& options,
                  const TurnsRequest& request)

@@ -15,6 +15,9 @@
 
 namespace sheer {
 
+// Of one value or more.
+double median(std::vector<double> values);
+
 struct TurnsRequest {
     std::vector<std::string> methods;      // ID[:NAME=VALUE]...
     int repeat = 11;                       // rounds, after one that isn't measured

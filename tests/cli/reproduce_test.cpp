@@ -22,9 +22,10 @@ TEST(CliReproduce, ListsWhatThereIs)
     const Tool tool;
     const Outcome outcome = tool.run({"reproduce", "list"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    for (const char* name : {"stochastic-examples", "stochastic-bias", "stochastic-visibility",
-                             "stochastic-figure-1", "stochastic-figure-2", "stochastic-figure-4",
-                             "stochastic-figure-5", "stochastic-cost", "stochastic-seeding"}) {
+    for (const char* name :
+         {"stochastic-examples", "stochastic-bias", "stochastic-visibility", "stochastic-figure-1",
+          "stochastic-figure-2", "stochastic-figure-4", "stochastic-figure-5", "stochastic-cost",
+          "stochastic-peeling", "stochastic-seeding"}) {
         EXPECT_NE(outcome.out.find(std::string(name) + "  "), std::string::npos) << name;
     }
     const Outcome help = tool.run({"reproduce", "--help"});
@@ -199,6 +200,34 @@ TEST(CliReproduce, CostStandsBesideThePapers)
         EXPECT_EQ(passes[2]["ms"] == 0, i == 0);
         for (const std::size_t pass : {5u, 6u}) EXPECT_GT(passes[pass]["ms"], 0) << passes[pass];
     }
+}
+
+// Times are the machine's; what is drawn is not.
+TEST(CliReproduce, PeelingStandsBesideDepthBased)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "stochastic-peeling");
+    const Json& tables = json["tables"];
+    ASSERT_EQ(tables.size(), 3u);
+    const Json &motor = tables[0]["rows"], &hill = tables[2]["rows"];
+    ASSERT_EQ(motor.size(), 5u);
+    ASSERT_EQ(hill.size(), 7u);
+    for (const Json* rows : {&motor, &hill}) {
+        EXPECT_EQ((*rows)[0]["x depth-based"], 1);
+        for (const Json& row : *rows) EXPECT_GT(row["ms"], 0) << row;
+    }
+    EXPECT_EQ(motor[1]["paper"], 1.5);
+    // Ten layers of opacity 0.3 leave .7^10 of the light to what is not drawn, of which sun and sky
+    // make 1.2 at most.
+    for (const std::size_t ten : {1u, 2u}) {
+        EXPECT_EQ(motor[ten]["method"], "depth-peeling:peels=10");
+        EXPECT_LT(motor[ten]["rmse same S"], 255 * 1.2 * std::pow(0.7, 10));
+        EXPECT_LT(motor[ten + 2]["rmse same S"], motor[ten]["rmse same S"]);
+    }
+    for (const std::size_t most : {3u, 6u}) {
+        EXPECT_LT(hill[most]["rmse same S"], hill[most - 2]["rmse same S"]);
+    }
+    for (const Json& row : tables[1]["rows"]) EXPECT_EQ(row["paper"], 5);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@ Reproduce reproduce_stochastic_figure_2;
 Reproduce reproduce_stochastic_figure_4;
 Reproduce reproduce_stochastic_figure_5;
 Reproduce reproduce_stochastic_cost;
+Reproduce reproduce_stochastic_peeling;
 Reproduce reproduce_stochastic_seeding;
 Reproduce reproduce_stratified_table_1;
 Reproduce reproduce_stratified_figure_1;
