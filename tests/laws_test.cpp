@@ -63,10 +63,12 @@ void insert_in_streams(Tile& tile, std::span<const Plate> plates, std::mt19937& 
     }
 }
 
-// So many, and so faint where the row says that many are exact, that the next ones show.
+// So many, and so faint where the row says that many are exact, that the next ones show. Passes that
+// take a layer each see 40 in some order as they would see thousands.
 Plates plates_to_tell_by(const Setting& setting, std::mt19937& random)
 {
-    const int exact_up_to = setting.method.traits().exact_up_to;
+    const MethodTraits traits = setting.method.traits();
+    const int exact_up_to = traits.passes > 2 ? 0 : traits.exact_up_to;
     Plates plates = RandomPlates{*setting.set, random}.make(std::max(40, 6 * exact_up_to));
     if (exact_up_to < 8) return plates;
     for (Plate& plate : plates) plate.color[3] *= 0.1f;
