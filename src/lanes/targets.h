@@ -10,7 +10,12 @@
 #include <string>
 
 // SSSE3 adds nothing over SSE4 here; SVE's vectors have no size and cannot be members of structs.
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#define SHEER_USELESS_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#ifdef SHEER_FEWER_TARGETS
+#define HWY_DISABLED_TARGETS (SHEER_USELESS_TARGETS | HWY_SSE4 | HWY_AVX3)
+#else
+#define HWY_DISABLED_TARGETS SHEER_USELESS_TARGETS
+#endif
 #ifdef SHEER_ONLY_SCALAR
 #define HWY_COMPILE_ONLY_SCALAR
 #endif

@@ -66,7 +66,7 @@ TEST(Render, RefusesOptionsThatMakeNoSense)
     options = {};
     options.method = "stochastic:masks=tables";
     EXPECT_EQ(refusal(options),
-              "method: stochastic: masks is naive|stratified|table, not 'tables'");
+              "method: stochastic: masks is naive|stratified|table|tracked|systematic, not 'tables'");
 }
 
 }  // namespace sheer
