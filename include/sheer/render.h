@@ -28,7 +28,13 @@ enum class ShadowKind {
     exact,       // a ray to each light: slow, to judge maps by
 };
 
-enum class ShadowMasks { naive, stratified };
+enum class ShadowMasks {
+    naive,       // every sample for itself
+    stratified,  // as many samples for a fragment as its opacity says
+    tracked,     // over the pieces and layers of surfaces and the texels around, too: Laine and
+                 // Karras, Stratified Sampling for Stochastic Transparency
+    systematic,  // the same with evenly spaced numbers
+};
 
 enum class Footprint {
     fixed,   // all texels around the point

@@ -19,8 +19,11 @@ constexpr std::array<std::pair<const char*, ShadowKind>, 3> kKinds = {
      {"stochastic", ShadowKind::stochastic},
      {"exact", ShadowKind::exact}}};
 
-constexpr std::array<std::pair<const char*, ShadowMasks>, 2> kMasks = {
-    {{"naive", ShadowMasks::naive}, {"stratified", ShadowMasks::stratified}}};
+constexpr std::array<std::pair<const char*, ShadowMasks>, 4> kMasks = {
+    {{"naive", ShadowMasks::naive},
+     {"stratified", ShadowMasks::stratified},
+     {"tracked", ShadowMasks::tracked},
+     {"systematic", ShadowMasks::systematic}}};
 
 constexpr std::array<std::pair<const char*, Footprint>, 2> kFootprints = {
     {{"fixed", Footprint::fixed}, {"random", Footprint::random}}};
@@ -68,9 +71,9 @@ void add_shadow_options(CLI::App& command, Shadows& shadows)
     CLI::Option* kind =
         add_value(command, "--shadows", "KIND",
                   "none, stochastic[:NAME=VALUE]... or exact, which is slow\n"
-                  "(none); of stochastic: masks=naive|stratified, correction=\n"
-                  "on|off, footprint=fixed|random, colored=on|off\n"
-                  "(stratified, off, fixed, off)",
+                  "(none); of stochastic: masks=naive|stratified|tracked|\n"
+                  "systematic, correction=on|off, footprint=fixed|random,\n"
+                  "colored=on|off (stratified, off, fixed, off)",
                   [&shadows](auto& option, auto& text) { parse_shadows(option, text, shadows); });
     kind->group(group);
     add_value(command, "--shadow-size", "N", "Texels across each light's map, 16 to 8192 (1024)",

@@ -168,8 +168,14 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
         prepare_surfaces(scene, view, projection, geometry.eye, geometry_threads, takes);
     geometry_time.stop();
     const FrameShadows shadows =
-        prepare_shadows({scene, view.shadows, geometry, surfaces, targets, wanted,
-                         frame_key(options.seed, request.shadow_frame)},
+        prepare_shadows({scene,
+                         view.shadows,
+                         geometry,
+                         surfaces,
+                         targets,
+                         wanted,
+                         frame_key(options.seed, request.shadow_frame),
+                         {frame_key(options.seed, 0), request.shadow_frame, request.shadow_frames}},
                         options);
     surfaces.light.shadows = shadows.drawn();
 

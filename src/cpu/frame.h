@@ -57,7 +57,9 @@ struct TakesRequest {
     std::span<const Take> takes;
     SubpixelShift shift = {};           // of all samples
     std::uint64_t reserved_memory = 0;  // of options.memory_limit: what the caller needs besides
-    int shadow_frame = 0;               // of the options' seed, whose random shadows they all have
+    // Of the options' seed, whose random shadows they all have; and of how many frames, which are
+    // one picture.
+    int shadow_frame = 0, shadow_frames = 1;
 };
 
 // The pictures of the takes; options.method and accumulate are not looked at, and the seed is only

@@ -72,7 +72,8 @@ Frame draw_one_by_one(const Scene& scene, const View& view, const Options& optio
         take.alone = {frame_key(options.seed, 0), i, options.accumulate};
         take.transparent = false;
         take.apart = true;
-        FrameTakes result = render_takes(scene, view, one, {{&take, 1}, {}, sums_bytes, i});
+        FrameTakes result =
+            render_takes(scene, view, one, {{&take, 1}, {}, sums_bytes, i, options.accumulate});
         TakeFrame& frame = result.frames.front();
         sums.add(frame);
         if (i == 0) {

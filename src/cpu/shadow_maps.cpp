@@ -10,6 +10,7 @@
 #include "cpu/stopwatch.h"
 #include "cpu/tile_fragments.h"
 #include "cpu/tile_passes.h"
+#include "cpu/tracked_shadows.h"
 #include "geometry/build.h"
 #include "shade/light_rays.h"
 #include "support/memory.h"
@@ -25,6 +26,7 @@ struct ShadowWorker {
     TileScratch scratch;
     OpaqueTile opaque;
     FragmentStream stream;
+    std::unique_ptr<TrackedShadows> tracked;  // or null
 };
 
 struct ShadowJob {
@@ -33,12 +35,23 @@ struct ShadowJob {
     const FrameSurfaces& casters;
     const SampleSet& set;
     TileGrid grid;
+    FrameOfPicture frame;
 };
 
 // Sent the stream of a tile.
 struct Insertion {
     InsertShadows insert;
     const ShadowTile& tile;
+    TrackedShadows* tracked;
+
+    void operator()(const FragmentStream& stream) const
+    {
+        if (tracked != nullptr) {
+            tracked->insert(tile, stream);
+        } else {
+            insert(tile, stream);
+        }
+    }
 };
 
 void draw_tile(const ShadowJob& job, int number, ShadowWorker& worker, ShadowMap& map)
@@ -47,22 +60,24 @@ void draw_tile(const ShadowJob& job, int number, ShadowWorker& worker, ShadowMap
     const PixelRect rect = job.grid.rect(number);
     const ShadowTile tile{map, job.set, rect, pass.shadows.masks};
     clear_shadow_tile(tile);
-    Insertion insertion{insert_shadows_for(pass.targets), tile};
+    if (worker.tracked) worker.tracked->begin(tile, job.frame);
+    Insertion insertion{insert_shadows_for(pass.targets), tile, worker.tracked.get()};
     const FragmentConsumer consumer{[](void* context, const FragmentStream& stream) {
-                                        const auto* to = static_cast<Insertion*>(context);
-                                        to->insert(to->tile, stream);
+                                        (*static_cast<const Insertion*>(context))(stream);
                                         return true;
                                     },
                                     &insertion};
     const TileJob fragments{&job.geometry, &job.casters, &job.set, number, rect, rect};
     tile_fragments_for(pass.targets)(fragments, worker.scratch, worker.opaque, worker.stream,
                                      consumer);
-    insertion.insert(tile, worker.stream);
+    insertion(worker.stream);
+    if (worker.tracked) worker.tracked->end(tile);
     insert_opaque_shadows(tile, worker.opaque);
 }
 
 std::unique_ptr<ShadowMap> draw_map(const ShadowPass& pass, const FrameSurfaces& casters,
-                                    const Projection& light, std::uint32_t key)
+                                    const Projection& light, std::uint32_t key,
+                                    const FrameOfPicture& frame)
 {
     const Shadows& shadows = pass.shadows;
     const SampleSet set = make_sample_set(shadows.samples, SamplePositions::standard);
@@ -71,19 +86,23 @@ std::unique_ptr<ShadowMap> draw_map(const ShadowPass& pass, const FrameSurfaces&
     const int layers = shadows.colored && casters.any_colored ? 3 : 1;
     auto map =
         std::make_unique<ShadowMap>(light, shadows, layers, set, pass.seen.eye.position, key);
-    const ShadowJob job{pass, geometry, casters, set, grid};
+    const ShadowJob job{pass, geometry, casters, set, grid, frame};
     std::vector<std::unique_ptr<ShadowWorker>> workers(static_cast<std::size_t>(pass.threads));
-    parallel_for(pass.threads, static_cast<std::size_t>(grid.count()),
-                 [&](std::size_t tile, int thread) {
-                     auto& worker = workers[static_cast<std::size_t>(thread)];
-                     if (!worker) {
-                         worker = std::make_unique<ShadowWorker>(
-                             ShadowWorker{{},
-                                          OpaqueTile(shadows.samples, casters.any_opaque),
-                                          FragmentStream(kStreamFragments, casters.any_colored)});
-                     }
-                     draw_tile(job, static_cast<int>(tile), *worker, *map);
-                 });
+    parallel_for(
+        pass.threads, static_cast<std::size_t>(grid.count()), [&](std::size_t tile, int thread) {
+            auto& worker = workers[static_cast<std::size_t>(thread)];
+            if (!worker) {
+                worker = std::make_unique<ShadowWorker>(
+                    ShadowWorker{{},
+                                 OpaqueTile(shadows.samples, casters.any_opaque),
+                                 FragmentStream(kStreamFragments, casters.any_colored),
+                                 {}});
+                if (is_tracked(shadows.masks)) {
+                    worker->tracked = make_tracked_shadows(pass.targets, *map, set, shadows.masks);
+                }
+            }
+            draw_tile(job, static_cast<int>(tile), *worker, *map);
+        });
     return map;
 }
 
@@ -95,12 +114,14 @@ std::uint64_t shadow_bytes(const ShadowPass& pass)
     const auto samples = static_cast<std::uint64_t>(shadows.samples);
     std::uint64_t lights = pass.scene.sun.color == Float3{0, 0, 0} ? 0 : 1;
     for (const Light& light : pass.scene.lights) lights += light.kind != LightKind::point;
-    const std::uint64_t thread_bytes =
-        kTilePixels * samples * 6 * sizeof(float) +
-        kStreamFragments * (sizeof(FragmentRun) + 19 * sizeof(float));
     // Beside the pictures' triangles those of one light, or of all lights as trees.
     if (shadows.kind == ShadowKind::exact) return 2 * lights * geometry_bytes(pass.scene);
     const std::uint64_t layers = shadows.colored ? 3 : 1;
+    const std::uint64_t tracked_bytes =
+        is_tracked(shadows.masks) ? kTilePixels * layers * (8 * samples + 64) : 0;
+    const std::uint64_t thread_bytes =
+        kTilePixels * samples * 6 * sizeof(float) + tracked_bytes +
+        kStreamFragments * (sizeof(FragmentRun) + 20 * sizeof(float));
     const std::uint64_t values = shadows.correction ? 2 * layers + 1 : layers;
     return lights * size * size * samples * values * sizeof(float) + geometry_bytes(pass.scene) +
            static_cast<std::uint64_t>(pass.threads) * thread_bytes;
@@ -108,16 +129,23 @@ std::uint64_t shadow_bytes(const ShadowPass& pass)
 
 using LightViews = std::vector<std::optional<Projection>>;
 
+// Another sequence than the frames' keys, so that masks of the eye and of lights have nothing in
+// common.
+std::uint32_t light_key(std::uint32_t frame_key, std::size_t light)
+{
+    const CounterRandom keys{~static_cast<std::uint64_t>(frame_key)};
+    return static_cast<std::uint32_t>(keys.bits(light) >> 32);
+}
+
 LightShadows draw_maps(const ShadowPass& pass, const LightViews& views)
 {
     const FrameSurfaces casters = make_casters(pass.surfaces);
-    // Another sequence than the frames' keys, so that masks of the eye and of lights have nothing
-    // in common.
-    const CounterRandom keys{~static_cast<std::uint64_t>(pass.key)};
     LightShadows shadows(views.size());
     for (std::size_t i = 0; i < views.size(); ++i) {
-        const auto key = static_cast<std::uint32_t>(keys.bits(i) >> 32);
-        if (views[i]) shadows[i].map = draw_map(pass, casters, *views[i], key);
+        if (!views[i]) continue;
+        FrameOfPicture frame = pass.frame;
+        frame.key = light_key(frame.key, i);
+        shadows[i].map = draw_map(pass, casters, *views[i], light_key(pass.key, i), frame);
     }
     return shadows;
 }

@@ -8,6 +8,7 @@
 
 #include "geometry/triangles.h"
 #include "lanes/targets.h"
+#include "methods/method.h"
 #include "shade/shadow_map.h"
 #include "shade/surface.h"
 
@@ -21,6 +22,7 @@ struct ShadowPass {
     TargetSet targets;
     int threads;
     std::uint32_t key;  // of the frame's random numbers
+    FrameOfPicture frame = {};
 };
 
 struct FrameShadows {

@@ -10,9 +10,8 @@
 
 #include <hwy/foreach_target.h>
 
-#include "lanes/lanes-inl.h"
+#include "cpu/shadow_samples-inl.h"
 #include "lanes/text.h"
-#include "raster/sample_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -37,16 +36,6 @@ HWY_INLINE auto random_mask(ShadowMasks masks, Lanes<16>::whole seed, Lanes<16>:
     if (masks == ShadowMasks::naive) return Text::naive_mask(seed, opacity, Samples);
     const auto xi = Text::next_random_real(seed);
     return Text::stratified_mask(seed, xi, opacity, Samples);
-}
-
-// What a layer sees of fragments i, i + 1, ...: their mean opacity, or a channel's.
-HWY_INLINE Lanes<16>::real opacity_of(const FragmentStream& f, std::size_t layer, std::size_t i,
-                                      bool colored)
-{
-    using real = Lanes<16>::real;
-    if (!colored) return real::load(f.opacity.data() + i);
-    const AlignedArray<float>* through[3] = {&f.through_red, &f.through_green, &f.through_blue};
-    return real(1.0f) - real::load(through[layer]->data() + i);
 }
 
 // Of all layers by the same random numbers, so that grey glass stays grey.
@@ -74,28 +63,6 @@ HWY_INLINE void make_masks(const ShadowTile& tile, const FragmentStream& f, std:
 }
 
 template <int Samples>
-struct RunDepth {
-    using L = Lanes<std::min(Samples, 16)>;
-    using real = typename L::real;
-    static constexpr std::size_t kBlocks = (Samples + L::kCount - 1) / L::kCount;
-    const DepthPlane& plane;
-    real offset[kBlocks];
-
-    HWY_INLINE RunDepth(const DepthPlane& p, const SampleSet& set) : plane(p)
-    {
-        for (std::size_t b = 0; b < kBlocks; ++b) {
-            offset[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
-        }
-    }
-};
-
-// Bits of samples s, s + 1, ... out of a fragment's.
-HWY_INLINE std::uint32_t bits_from(std::uint32_t low, std::uint32_t high, std::size_t s)
-{
-    return (s < 32 ? low : high) >> (s & 31);
-}
-
-template <int Samples>
 HWY_INLINE void keep_nearest(const RunDepth<Samples>& run, float center, std::uint32_t low,
                              std::uint32_t high, float* kept)
 {
@@ -111,18 +78,6 @@ HWY_INLINE void keep_nearest(const RunDepth<Samples>& run, float center, std::ui
 }
 
 template <int Samples>
-HWY_INLINE void multiply(float rest, std::uint32_t low, std::uint32_t high, float* through)
-{
-    using L = typename RunDepth<Samples>::L;
-    using real = typename L::real;
-    for (std::size_t s = 0; s < static_cast<std::size_t>(Samples); s += L::kCount) {
-        const auto covered = L::mask_of_bits(bits_from(low, high, s));
-        const real before = real::load(through + s);
-        L::select(covered, before * real(rest), before).store(through + s);
-    }
-}
-
-template <int Samples>
 void insert_run(const ShadowTile& tile, const FragmentStream& f, const FragmentRun& run)
 {
     const RunDepth<Samples> depth(run.depth, tile.set);
@@ -133,9 +88,7 @@ void insert_run(const ShadowTile& tile, const FragmentStream& f, const FragmentR
         for (std::size_t i = run.first; i < end; i += 16) {
             make_masks<Samples>(tile, f, i, run.primitive, layer, masks);
             for (std::size_t k = 0; k < std::min<std::size_t>(16, end - i); ++k) {
-                const auto pixel = static_cast<int>(f.pixel[i + k]);
-                const std::size_t at =
-                    tile.map.at(tile.rect.x0 + pixel % kTileSize, tile.rect.y0 + pixel / kTileSize);
+                const std::size_t at = texel_of(tile, f.pixel[i + k]);
                 if ((masks.low[k] | (Samples > 32 ? masks.high[k] : 0)) != 0) {
                     keep_nearest<Samples>(depth, f.depth[i + k], masks.low[k], masks.high[k],
                                           kept.depth.data() + at);

@@ -49,9 +49,14 @@ public:
     Farthest farthest;
 
     explicit TrackedMasks(const StoreShape& shape)
-        : set_(*shape.samples),
-          settings_(stratified_settings(*shape.method)),
-          passes_(stochastic_settings(*shape.method))
+        : TrackedMasks(*shape.samples, stratified_settings(*shape.method),
+                       stochastic_settings(*shape.method))
+    {
+    }
+    // `set` outlives it.
+    TrackedMasks(const SampleSet& set, const StratifiedSettings& settings,
+                 const StochasticSettings& passes)
+        : set_(set), settings_(settings), passes_(passes)
     {
         for (std::uint32_t n = 0; n < kMaxSamples; ++n) reversed_[n] = LoneText::reversed_bits(n);
         std::fill_n(is_later_.data(), 64, 0);
@@ -81,11 +86,18 @@ public:
     template <int Samples, class Insert>
     HWY_INLINE void for_each_run(const FragmentStream& f, KeptDepths kept, Insert&& insert)
     {
+        for_each_run<Samples>(f, f.opacity.data(), kept, insert);
+    }
+    // With other opacities than the stream's.
+    template <int Samples, class Insert>
+    HWY_INLINE void for_each_run(const FragmentStream& f, const float* opacity, KeptDepths kept,
+                                 Insert&& insert)
+    {
         for (int r = 0; r < f.run_count; ++r) {
             const FragmentRun& run = f.runs[r];
             std::size_t count = collect(f, run);
             count = find_open<Samples>(f, run, kept, count);
-            for (std::size_t k = 0; k < count; ++k) draw<Samples>(f, k);
+            for (std::size_t k = 0; k < count; ++k) draw<Samples>(f, opacity, k);
             count = take<Samples>(f, kept, count);
             candidates_[count] = ~0u;
             if (count > 0) insert(run, 0);
@@ -198,7 +210,7 @@ private:
     // Which of the numbers that candidate k's open samples get take them: bit by bit, from the
     // first on.
     template <int Samples>
-    HWY_INLINE void draw(const FragmentStream& f, std::size_t k)
+    HWY_INLINE void draw(const FragmentStream& f, const float* opacity, std::size_t k)
     {
         const std::size_t i = candidates_[k];
         const std::uint64_t open = open_[k];
@@ -208,10 +220,10 @@ private:
             Samples > 32 ? static_cast<std::uint32_t>(open >> 32) : 0, settings_.tracking);
         const auto count = static_cast<std::uint32_t>(std::popcount(open));
         if (!settings_.compaction) {
-            taken_[k] = outcomes<Samples>(pixel, f.opacity[i], 0, Samples);
+            taken_[k] = outcomes<Samples>(pixel, opacity[i], 0, Samples);
             return;
         }
-        taken_[k] = outcomes<Samples>(pixel, f.opacity[i], first, first + count) >> first &
+        taken_[k] = outcomes<Samples>(pixel, opacity[i], first, first + count) >> first &
                     ((2ull << (count - 1)) - 1);
     }
 

@@ -28,6 +28,11 @@ TEST(ShadowBits, SameBitsOnEveryLevelAndAnyNumberOfThreads)
         kinds.back().correction = true;
         kinds.push_back(stochastic_shadows(64, 1));
         kinds.back().footprint = Footprint::random;
+        kinds.push_back(stochastic_shadows(32, 1));
+        kinds.back().masks = ShadowMasks::tracked;
+        kinds.push_back(stochastic_shadows(4, 2));
+        kinds.back().masks = ShadowMasks::systematic;
+        kinds.back().correction = true;
         if (std::string(source) == "builtin:cloth") kinds.push_back(exact_shadows());
         for (const Shadows& shadows : kinds) {
             view.shadows = shadows;

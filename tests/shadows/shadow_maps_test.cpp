@@ -6,10 +6,9 @@
 
 #include <sheer/sheer.h>
 
-#include "cpu/shadow_maps.h"
-#include "geometry/build.h"
 #include "methods/statistics.h"
 #include "reference/methods.h"
+#include "shadows/maps.h"
 #include "shadows/sheets.h"
 
 namespace sheer {
@@ -17,50 +16,15 @@ namespace sheer {
 namespace {
 
 using reference::Masks;
+using test::lit_parts, test::suns_map;
 
 const std::vector<float> kOpacities = {0.3f, 0.5f, 0.2f, 0.6f};
 
 Shadows shadows_with(Masks masks, int samples)
 {
-    Shadows shadows;
-    shadows.kind = ShadowKind::stochastic;
+    Shadows shadows = test::stochastic_shadows(samples, 1);
     shadows.masks = masks == Masks::naive ? ShadowMasks::naive : ShadowMasks::stratified;
-    shadows.size = 64;
-    shadows.samples = samples;
     return shadows;
-}
-
-// The sun's map of a scene, as a picture of the floor would have it.
-std::unique_ptr<ShadowMap> suns_map(const Scene& scene, const Shadows& shadows, std::uint32_t key)
-{
-    const View view = test::floor_view(shadows);
-    const SampleSet samples = make_sample_set(1, SamplePositions::standard);
-    const Geometry geometry = build_geometry(
-        {scene, resolve_camera(scene, view), {view.width, view.height, 0}, samples.extent, 1});
-    const FrameSurfaces surfaces = make_surfaces(scene, 0, geometry.eye, 1, Shadowed::yes);
-    FrameShadows made = prepare_shadows(
-        {scene, shadows, geometry, surfaces, targets_of(Simd::best), 2, key}, Options{});
-    return std::move(made.shadows.front().map);
-}
-
-// Of each texel, the part of the samples that light reaches at a height; the camera is 0.5 above
-// the floor.
-std::vector<double> lit_parts(const ShadowMap& map, double height)
-{
-    const auto& row = map.space.rows[2];
-    const auto depth = static_cast<float>(row[1] * (height - 0.5) + row[3]);
-    std::vector<double> parts;
-    constexpr int kEdge = 4;  // beyond the sheets
-    for (int y = kEdge; y < map.size - kEdge; ++y) {
-        for (int x = kEdge; x < map.size - kEdge; ++x) {
-            double lit = 0;
-            for (int s = 0; s < map.samples; ++s) {
-                lit += map.layers[0].depth[map.at(x, y) + static_cast<std::size_t>(s)] >= depth;
-            }
-            parts.push_back(lit / map.samples);
-        }
-    }
-    return parts;
 }
 
 // Behind sheet i of the scene, over some seeds.

@@ -284,7 +284,8 @@ TEST(ShadowPictures, ShadowsBeginWhereTheyShould)
 TEST(ShadowPictures, CorrectionGivesOpaqueReceiversTheTrueTotal)
 {
     const Scene scene = test::sheets_over_floor({0.3f, 0.5f, 0.2f, 0.6f});
-    for (const ShadowMasks masks : {ShadowMasks::naive, ShadowMasks::stratified}) {
+    for (const ShadowMasks masks : {ShadowMasks::naive, ShadowMasks::stratified,
+                                    ShadowMasks::tracked, ShadowMasks::systematic}) {
         Shadows shadows = stochastic_shadows(16, 2);
         shadows.masks = masks;
         shadows.correction = true;
@@ -325,13 +326,22 @@ TEST(ShadowPictures, ColouredGlassCastsItsColour)
     Shadows shadows = stochastic_shadows(64, 4);
     // With correction the floor gets the true total.
     shadows.correction = true;
-    for (const bool colored : {false, true}) {
-        shadows.colored = colored;
-        const Image image = render(scene, test::floor_view(shadows), {}).image;
-        const float mean = (through[0] + through[1] + through[2]) / 3;
-        for (std::size_t c = 0; c < 3; ++c) {
-            EXPECT_NEAR(image.at(16, 16)[c], colored ? through[c] : mean, 0x1p-14 + 1e-5);
+    for (const ShadowMasks masks : {ShadowMasks::stratified, ShadowMasks::tracked}) {
+        shadows.masks = masks;
+        for (const bool colored : {false, true}) {
+            shadows.colored = colored;
+            const Image image = render(scene, test::floor_view(shadows), {}).image;
+            const float mean = (through[0] + through[1] + through[2]) / 3;
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(image.at(16, 16)[c], colored ? through[c] : mean, 0x1p-14 + 1e-5);
+            }
         }
+    }
+    // Without it 64 samples of each of the footprint's 16 texels or more, off by a sample each.
+    shadows.correction = false;
+    const Image uncorrected = render(scene, test::floor_view(shadows), {}).image;
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(uncorrected.at(16, 16)[c], through[c], 1.0 / 64 + 1e-5);
     }
     const Image exact = render(scene, test::floor_view(exact_shadows()), {}).image;
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(exact.at(16, 16)[c], through[c], 1e-6);

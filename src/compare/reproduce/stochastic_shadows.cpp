@@ -31,8 +31,11 @@ constexpr Part kParts[] = {
     {"b", "stratified", ShadowMasks::stratified, false},
     {"c", "stratified, alpha corrected", ShadowMasks::stratified, true},
     {"d", "naive, alpha corrected (not in the paper)", ShadowMasks::naive, true},
+    {"e", "tracked (not in the paper)", ShadowMasks::tracked, false},
+    {"f", "systematic (not in the paper)", ShadowMasks::systematic, false},
+    {"g", "systematic, alpha corrected (not in the paper)", ShadowMasks::systematic, true},
 };
-constexpr const char* kReference = "e";
+constexpr const char* kReference = "h";
 
 // Of large triangles: where several share a texel, each has a mask of its own, and stratifying them
 // helps little.
