@@ -63,8 +63,8 @@ void insert_in_streams(Tile& tile, std::span<const Plate> plates, std::mt19937& 
     }
 }
 
-// So many, and so faint where the row says that many are exact, that the next ones show. Passes that
-// take a layer each see 40 in some order as they would see thousands.
+// So many, and so faint where the row says that many are exact, that the next ones show. Passes
+// that take a layer each see 40 in some order as they would see thousands.
 Plates plates_to_tell_by(const Setting& setting, std::mt19937& random)
 {
     const MethodTraits traits = setting.method.traits();

@@ -121,7 +121,8 @@ Rgba z3(std::span<const Fragment> fragments, int layers, Z3Depth depth, Rgba bac
         if (kept.size() <= static_cast<std::size_t>(layers)) continue;
         join_closest(kept, depth, doubtful);
         if (doubtful == nullptr) continue;
-        for (Layer& layer : kept) layer.depth = static_cast<double>(static_cast<float>(layer.depth));
+        for (Layer& layer : kept)
+            layer.depth = static_cast<double>(static_cast<float>(layer.depth));
     }
     return seen_by(kept, 0, {128, 128}, backdrop);
 }

@@ -251,8 +251,8 @@ TEST(Layered, TiesAreBrokenById)
 {
     Plates plates = five_layers();
     for (Plate& plate : plates) plate.depth = make_plane(0.5, 0, 0);
-    for (const char* method : {"mlab", "z3", "k-buffer", "k-buffer:merge=discard:layers=5", "hybrid",
-                               "adaptive", "depth-peeling", "dual-depth-peeling"}) {
+    for (const char* method : {"mlab", "z3", "k-buffer", "k-buffer:merge=discard:layers=5",
+                               "hybrid", "adaptive", "depth-peeling", "dual-depth-peeling"}) {
         SCOPED_TRACE(method);
         const Plates reversed(plates.rbegin(), plates.rend());
         expect_color(resolved(method, plates, 8), kExact, kRounding);

@@ -56,8 +56,9 @@ void expect_within_bounds(const std::vector<float>& floats, const std::vector<do
     EXPECT_EQ(outside, 0u) << what;
     EXPECT_EQ(other, 0u) << what;
     // Where opacities are joined as A + (1 - A) B, the two A are taken for different numbers.
-    const bool joins = what.starts_with("mlab") || what.starts_with("z3") || what.starts_with("k-buffer") ||
-                       what.starts_with("hybrid") || what.find("peeling") != std::string::npos;
+    const bool joins = what.starts_with("mlab") || what.starts_with("z3") ||
+                       what.starts_with("k-buffer") || what.starts_with("hybrid") ||
+                       what.find("peeling") != std::string::npos;
     if (!joins) {
         EXPECT_EQ(loose, 0u) << what;
     }
@@ -67,8 +68,8 @@ TEST(TextRounding, FloatsAreWithinTheirBoundOfDoubles)
 {
     for (const FragmentLists& lists : random_lists(8)) {
         for (const std::string& method : kMethodsWithTexts) {
-            // Which step of a curve goes, or which layers become one, may be another in floats where
-            // two are as small.
+            // Which step of a curve goes, or which layers become one, may be another in floats
+            // where two are as small.
             if (method.starts_with("adaptive") || method.starts_with("z3")) continue;
             const std::string what = method + " on " + lists.name;
             Bounded::doubtful = 0;
