@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 template <int S>
-using UntrackedTile = StochasticTile<S, StochasticMasks>;
+using BasicTile = StochasticTile<S, StochasticMasks>;
 
 StoreVerbs stochastic_store(int samples)
 {
-    return verbs_for_samples<UntrackedTile>(samples);
+    return verbs_for_samples<BasicTile>(samples);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

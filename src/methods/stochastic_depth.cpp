@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 template <int S>
-using UntrackedTile = StochasticDepthTile<S, StochasticMasks>;
+using DepthTile = StochasticDepthTile<S, StochasticMasks>;
 
 StoreVerbs stochastic_depth_store(int samples)
 {
-    return verbs_for_samples<UntrackedTile>(samples);
+    return verbs_for_samples<DepthTile>(samples);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

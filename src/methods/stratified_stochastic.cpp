@@ -15,11 +15,11 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 template <int S>
-using TrackedTile = StochasticTile<S, TrackedMasks<S>>;
+using TrackedBasicTile = StochasticTile<S, TrackedMasks<S>>;
 
 StoreVerbs stratified_stochastic_store(int samples)
 {
-    return verbs_for_samples<TrackedTile>(samples);
+    return verbs_for_samples<TrackedBasicTile>(samples);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

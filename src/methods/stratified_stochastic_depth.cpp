@@ -14,11 +14,11 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 template <int S>
-using TrackedTile = StochasticDepthTile<S, TrackedMasks<S>>;
+using TrackedDepthTile = StochasticDepthTile<S, TrackedMasks<S>>;
 
 StoreVerbs stratified_stochastic_depth_store(int samples)
 {
-    return verbs_for_samples<TrackedTile>(samples);
+    return verbs_for_samples<TrackedDepthTile>(samples);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

@@ -6,6 +6,7 @@
 
 #include "methods/bounded.h"
 #include "methods/make_lists.h"
+#include "methods/methods_with_texts.h"
 #include "methods/texts_alone.h"
 #include "simd_levels.h"
 

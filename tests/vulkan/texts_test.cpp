@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "methods/make_lists.h"
+#include "methods/methods_with_texts.h"
 #include "methods/texts_alone.h"
 #include "simd_levels.h"
 #include "vulkan/compute_fixture.h"
