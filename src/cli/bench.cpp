@@ -38,7 +38,7 @@ void run_bench(BenchRequest request)
     for (const std::string& method : request.methods) {
         check_option("--methods", [&] { return choose_method(method); });
     }
-    Scene scene = load_scene(request.scene);
+    Scene scene = load_scene(request.scene, request.given.options.memory_limit);
 
     std::vector<Timing> timings;
     {
@@ -66,18 +66,10 @@ void run_bench(BenchRequest request)
           bench_table(timings));
 }
 
-std::vector<std::string> all_methods()
-{
-    std::vector<std::string> ids;
-    for (const MethodRow& row : method_table()) ids.emplace_back(row.id);
-    return ids;
-}
-
 void add_own_options(CLI::App& command, BenchRequest& request)
 {
     add_scene_options(command, request.scene);
-    add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
-              [&request](auto&, auto& text) { request.methods = split(text, ','); });
+    add_methods_list(command, request.methods, MethodsFor::bench);
     add_samples_list(command, request.samples);
     add_value(command, "--repeat", "N", "Rounds, after one that isn't measured (11)",
               [&request](auto& option, auto& text) {
@@ -102,7 +94,6 @@ void add_bench_command(CLI::App& tool)
 {
     CLI::App* command = tool.add_subcommand("bench", "Measure the methods' times on a scene");
     const auto request = std::make_shared<BenchRequest>();
-    request->methods = all_methods();
     add_own_options(*command, *request);
     add_override_options(*command, request->scene);
     add_view_options(*command, request->given);

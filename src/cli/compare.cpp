@@ -166,8 +166,7 @@ void run_compare(CompareRequest request)
 {
     check_request(request);
     drop_repeated(request);
-    const Scene scene = load_scene(request.scene);
-    check_memory(request.given.options);
+    const Scene scene = load_scene(request.scene, request.given.options.memory_limit);
     make_folder(request.folder);
     check_folder(request);
     const Result result = compare_all(scene, request);
@@ -189,23 +188,13 @@ void run_compare(CompareRequest request)
                              fixed(scale, scale < 1 ? 3 : 0) + ")\n");
 }
 
-std::vector<std::string> all_methods()
-{
-    std::vector<std::string> ids;
-    for (const MethodRow& row : method_table()) {
-        if (!row.bench_only) ids.emplace_back(row.id);
-    }
-    return ids;
-}
-
 void add_own_options(CLI::App& command, CompareRequest& request)
 {
     add_scene_options(command, request.scene);
     add_value(command, "-o,--output", "DIR", "A folder for the results, made if missing; required",
               [&request](auto&, auto& text) { request.folder = text; })
         ->required();
-    add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
-              [&request](auto&, auto& text) { request.methods = split(text, ','); });
+    add_methods_list(command, request.methods, MethodsFor::pictures);
     add_samples_list(command, request.samples);
     add_value(command, "--seeds", "N", "Pictures of each random method, 1 to 10,000 (8)",
               [&request](auto& option, auto& text) {
@@ -236,7 +225,6 @@ void add_compare_command(CLI::App& tool)
     CLI::App* command =
         tool.add_subcommand("compare", "Draw a scene by several methods and measure their errors");
     const auto request = std::make_shared<CompareRequest>();
-    request->methods = all_methods();
     add_own_options(*command, *request);
     add_override_options(*command, request->scene);
     add_view_options(*command, request->given);

@@ -77,8 +77,7 @@ Frame render_with_progress(const Scene& scene, const RenderRequest& request)
 void run_render(const RenderRequest& request)
 {
     check_request(request);
-    const Scene scene = load_scene(request.scene);
-    check_memory(request.given.options);
+    const Scene scene = load_scene(request.scene, request.given.options.memory_limit);
     Frame frame = render_with_progress(scene, request);
     write_image(request.output, frame.image);
     if (frame.channels) {

@@ -5,6 +5,7 @@
 
 #include "cli/values.h"
 #include "cli/view_options.h"
+#include "support/memory.h"
 
 namespace sheer {
 
@@ -63,6 +64,23 @@ void apply(const OpacityRule& rule, Scene& scene)
                                   rule.pattern + "'; " + some_names(scene));
 }
 
+Scene load_within(const SceneOptions& given, std::uint64_t memory_limit)
+{
+    constexpr std::uint64_t kMiB = 1024 * 1024;
+    const Error too_little(Fault::work, "--memory-limit: reading the scene takes more than " +
+                                            std::to_string(memory_limit / kMiB) + " MiB");
+    const MemoryCeiling ceiling(memory_limit - std::min(memory_limit, resident_memory_bytes()));
+    try {
+        Scene scene = load(given.source, given.load);
+        // Where there is no ceiling.
+        if (peak_memory_bytes() > memory_limit) throw too_little;
+        return scene;
+    } catch (const Error& error) {
+        if (error.fault() == Fault::work) throw too_little;
+        throw;
+    }
+}
+
 }  // namespace
 
 void add_scene_options(CLI::App& command, SceneOptions& given)
@@ -115,9 +133,10 @@ void add_override_options(CLI::App& command, SceneOptions& given)
         ->group(kGroup);
 }
 
-Scene load_scene(const SceneOptions& given)
+Scene load_scene(const SceneOptions& given, std::uint64_t memory_limit)
 {
-    Scene scene = load(given.source, given.load);
+    Scene scene =
+        memory_limit == 0 ? load(given.source, given.load) : load_within(given, memory_limit);
     for (const OpacityRule& rule : given.opacities) apply(rule, scene);
     if (given.mask_as_blend) mask_as_blend(scene);
     return scene;

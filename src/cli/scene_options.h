@@ -1,6 +1,7 @@
 // The scene on the command line: which, how it is read, and what of it is to be seen through.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,7 +30,8 @@ void add_scene_options(CLI::App& command, SceneOptions& given);
 // What of it is to be seen through, for commands that draw.
 void add_override_options(CLI::App& command, SceneOptions& given);
 
-// Throws Error(Fault::input) as `load` does, and where a rule is about nothing in the scene.
-Scene load_scene(const SceneOptions& given);
+// Throws Error(Fault::input) as `load` does, and where a rule is about nothing in the scene;
+// Error(Fault::work) where reading takes more than the memory limit, in bytes, if that is not 0.
+Scene load_scene(const SceneOptions& given, std::uint64_t memory_limit = 0);
 
 }  // namespace sheer

@@ -9,7 +9,6 @@
 #include "cli/values.h"
 #include "lanes/targets.h"
 #include "methods/method.h"
-#include "support/memory.h"
 #include "support/text.h"
 
 namespace sheer {
@@ -126,6 +125,16 @@ void add_view_options(CLI::App& command, ViewOptions& given)
     add_machine_options(command, given.options);
 }
 
+void add_methods_list(CLI::App& command, std::vector<std::string>& methods, MethodsFor purpose)
+{
+    methods.clear();
+    for (const MethodRow& row : method_table()) {
+        if (purpose == MethodsFor::bench || !row.bench_only) methods.emplace_back(row.id);
+    }
+    add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
+              [&methods](auto&, auto& text) { methods = split(text, ','); });
+}
+
 void add_samples_list(CLI::App& command, std::vector<int>& samples)
 {
     add_value(command, "--samples", "S,...", "Samples a pixel, a row each (8)",
@@ -151,15 +160,6 @@ void check_makes_picture(const std::string& option, const std::string& method)
         throw Error(Fault::input,
                     option + ": '" + method + "' makes no picture; it is for 'bench'");
     }
-}
-
-void check_memory(const Options& options)
-{
-    constexpr std::uint64_t kMiB = 1024 * 1024;
-    const std::uint64_t peak = peak_memory_bytes();
-    if (options.memory_limit == 0 || peak <= options.memory_limit) return;
-    throw Error(Fault::work, "--memory-limit: reading the scene took " +
-                                 std::to_string(peak / kMiB + 1) + " MiB already");
 }
 
 void check_view_options(const ViewOptions& given)

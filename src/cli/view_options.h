@@ -16,7 +16,10 @@ struct ViewOptions {
 // is each command's own.
 void add_view_options(CLI::App& command, ViewOptions& given);
 
-// Options of some commands only: a list of numbers of samples, and the seed.
+// Options of some commands only: lists of methods, which are all if none are given, and of numbers
+// of samples, and the seed.
+enum class MethodsFor { pictures, bench };
+void add_methods_list(CLI::App& command, std::vector<std::string>& methods, MethodsFor purpose);
 void add_samples_list(CLI::App& command, std::vector<int>& samples);
 void add_seed(CLI::App& command, Options& options);
 
@@ -28,10 +31,6 @@ CLI::Option* add_value(CLI::App& command, const std::string& names, const std::s
 // Throws Error(Fault::input) that names the option when there is no such method, or when it is for
 // `bench` alone.
 void check_makes_picture(const std::string& option, const std::string& method);
-
-// Throws Error(Fault::work) if the process has taken more than the memory limit: reading a scene
-// takes what it takes.
-void check_memory(const Options& options);
 
 // Throws Error(Fault::input) that names the option, for use before a scene is loaded.
 void check_view_options(const ViewOptions& given);

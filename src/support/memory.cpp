@@ -2,6 +2,7 @@
 // whose unit POSIX leaves open: kibibytes, or bytes on macOS.
 #include "support/memory.h"
 
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <string>
@@ -57,6 +58,34 @@ void release_free_memory()
 void reset_peak_memory()
 {
     std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+bool MemoryCeiling::has_effect()
+{
+#ifdef SHEER_SHADOW_MEMORY
+    return false;
+#else
+    // What RLIMIT_DATA is compared with.
+    return status_bytes("VmData:") != 0;
+#endif
+}
+
+MemoryCeiling::MemoryCeiling(std::uint64_t bytes_more)
+{
+    rlimit limit{};
+    if (!has_effect() || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    before_ = limit.rlim_cur;
+    const std::uint64_t wanted = status_bytes("VmData:") + bytes_more;
+    limit.rlim_cur = std::min<rlim_t>(limit.rlim_cur, wanted);
+    if (setrlimit(RLIMIT_DATA, &limit) != 0) before_ = 0;
+}
+
+MemoryCeiling::~MemoryCeiling()
+{
+    rlimit limit{};
+    if (before_ == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_cur = static_cast<rlim_t>(before_);
+    setrlimit(RLIMIT_DATA, &limit);
 }
 
 }  // namespace sheer

@@ -17,4 +17,20 @@ void release_free_memory();
 // Lets peak_memory_bytes count from now on, where the system can (Linux).
 void reset_peak_memory();
 
+// While it lives, whoever lets the process ask the system for more than so many bytes besides those
+// that it has gets std::bad_alloc. That concerns all threads: for a program, not for a library.
+// Without effect where the system can't, and under sanitizers, whose own memory has no bound.
+class MemoryCeiling {
+public:
+    explicit MemoryCeiling(std::uint64_t bytes_more);
+    MemoryCeiling(const MemoryCeiling&) = delete;
+    MemoryCeiling& operator=(const MemoryCeiling&) = delete;
+    ~MemoryCeiling();
+
+    static bool has_effect();
+
+private:
+    std::uint64_t before_ = 0;  // the system's limit
+};
+
 }  // namespace sheer

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -26,6 +27,19 @@ TEST(Memory, PeakFollowsWhatIsTouched)
     EXPECT_GE(after, before);
     // The process may have peaked higher before, but not below what it holds now.
     EXPECT_GE(after, 64 * kMiB);
+}
+
+TEST(Memory, CeilingStopsWhatIsBeyond)
+{
+    constexpr std::uint64_t kMiB = 1024 * 1024;
+    if (!MemoryCeiling::has_effect()) return;
+    const auto allocate = [](std::uint64_t bytes) { std::vector<char>(bytes, 'x'); };
+    {
+        const MemoryCeiling ceiling(64 * kMiB);
+        EXPECT_NO_THROW(allocate(32 * kMiB));
+        EXPECT_THROW(allocate(128 * kMiB), std::bad_alloc);
+    }
+    EXPECT_NO_THROW(allocate(128 * kMiB));
 }
 
 }  // namespace
