@@ -25,7 +25,7 @@ TEST(CliReproduce, ListsWhatThereIs)
     for (const char* name :
          {"stochastic-examples", "stochastic-bias", "stochastic-visibility", "stochastic-figure-1",
           "stochastic-figure-2", "stochastic-figure-4", "stochastic-figure-5", "stochastic-cost",
-          "stochastic-peeling", "stochastic-seeding"}) {
+          "stochastic-peeling", "stochastic-seeding", "stochastic-adaptive"}) {
         EXPECT_NE(outcome.out.find(std::string(name) + "  "), std::string::npos) << name;
     }
     const Outcome help = tool.run({"reproduce", "--help"});
@@ -200,6 +200,19 @@ TEST(CliReproduce, CostStandsBesideThePapers)
         EXPECT_EQ(passes[2]["ms"] == 0, i == 0);
         for (const std::size_t pass : {5u, 6u}) EXPECT_GT(passes[pass]["ms"], 0) << passes[pass];
     }
+}
+
+// A tile's variance is known to a fiftieth: from 3 pictures of 1,024 pixels and 3 channels. What
+// each pixel gets is not: pilots see 25 pixels.
+TEST(CliReproduce, AdaptiveFramesReachTheirNoise)
+{
+    const Tool tool;
+    const Json rows = reproduce(tool, "stochastic-adaptive")["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_LT(rows[1]["largest noise of a tile"], 2 * 1.1);
+    EXPECT_GT(rows[0]["largest noise of a tile"], 2 * 1.1);
+    EXPECT_LT(rows[1]["frames"], rows[1]["most frames"]);
+    EXPECT_LT(rows[1]["frames"], rows[1]["uniform frames for the same largest noise"]);
 }
 
 // Times are the machine's; what is drawn is not.

@@ -17,6 +17,7 @@ Reproduce reproduce_stochastic_figure_5;
 Reproduce reproduce_stochastic_cost;
 Reproduce reproduce_stochastic_peeling;
 Reproduce reproduce_stochastic_seeding;
+Reproduce reproduce_stochastic_adaptive;
 Reproduce reproduce_stratified_table_1;
 Reproduce reproduce_stratified_figure_1;
 Reproduce reproduce_stratified_tracking;

@@ -8,6 +8,7 @@
 #include "compare/comparison.h"
 #include "compare/reproduce/entries.h"
 #include "compare/reproduce/page.h"
+#include "compare/reproduce/sorted_triangles.h"
 
 namespace sheer {
 
@@ -88,7 +89,7 @@ public:
     }
 
 private:
-    static constexpr double kSteps = 2 * std::size(kModels) * std::size(kSamples);
+    static constexpr double kSteps = 4 * std::size(kModels) * std::size(kSamples);
 
     const ReproduceJob& job_;
     int side_, seeds_;
@@ -100,6 +101,27 @@ std::vector<std::string> methods_to_compare()
     std::vector<std::string> methods = {kComparison};
     for (const Part& part : kParts) methods.push_back(std::string(kOurs) + part.parameters);
     return methods;
+}
+
+// The same triangles from far to near, and from near to far.
+Table order_table(const std::string& name, const Scene& scene, Measuring& measuring)
+{
+    Table table{name + ": ratios by order of submission", {"drawn"}, {}};
+    for (const int samples : kSamples) {
+        table.columns.push_back(std::to_string(samples) + " samples");
+    }
+    for (const TriangleOrder order : {TriangleOrder::far_to_near, TriangleOrder::near_to_far}) {
+        table.rows.push_back(
+            {words(order == TriangleOrder::far_to_near ? "far to near" : "near to far")});
+        const Scene sorted = with_sorted_triangles(
+            scene, measuring.view(kSamples[0], SamplePositions::standard), order);
+        for (const int samples : kSamples) {
+            const auto errors = measuring.errors(
+                sorted, measuring.view(samples, SamplePositions::standard), {kComparison, kOurs});
+            table.rows.back().push_back(number(errors[1] / errors[0], 3));
+        }
+    }
+    return table;
 }
 
 void add_model(Page& page, const Model& model, Measuring& measuring)
@@ -129,6 +151,7 @@ void add_model(Page& page, const Model& model, Measuring& measuring)
     }
     page.add(table);
     page.add(parts);
+    page.add(order_table(name, scene, measuring));
 }
 
 }  // namespace
