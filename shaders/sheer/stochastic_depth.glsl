@@ -22,10 +22,15 @@ SHEER_FN StochasticDepth stochastic_depth_clear(real beyond_any)
     return s;
 }
 
+SHEER_FN mask stochastic_depth_before(StochasticDepth a, StochasticDepth b)
+{
+    return a.depth < b.depth || (a.depth == b.depth && a.id < b.id);
+}
+
 // First pass. `taken`: whether the fragment's mask has this sample.
 SHEER_FN StochasticDepth stochastic_depth_insert(StochasticDepth s, mask taken, StochasticDepth f)
 {
-    mask stays = !(taken && (f.depth < s.depth || (f.depth == s.depth && f.id < s.id)));
+    mask stays = !(taken && stochastic_depth_before(f, s));
     s.depth = select(stays, s.depth, f.depth);
     s.id = select(stays, s.id, f.id);
     return s;
@@ -35,8 +40,7 @@ SHEER_FN StochasticDepth stochastic_depth_insert(StochasticDepth s, mask taken, 
 // kept is not behind itself: depth and id must be the same bits in both.
 SHEER_FN mask stochastic_depth_shows(StochasticDepth s, mask covered, StochasticDepth f)
 {
-    mask behind = s.depth < f.depth || (f.depth == s.depth && s.id < f.id);
-    return covered && !behind;
+    return covered && !stochastic_depth_before(s, f);
 }
 
 // Of a sample, and alpha is the opacity or 0. Or of a pixel, where the filter is the mean of each

@@ -44,13 +44,13 @@ std::unique_ptr<Worker> make_worker(const FrameJob& job)
                {}});
     for (std::size_t i = 0; i < job.takes.size(); ++i) {
         const ChosenMethod& method = job.takes[i].method;
+        const MethodTraits traits = method.traits();
         const StoreShape shape{&job.samples,
                                &method,
                                job.eye,
                                job.stream_capacity,
-                               method.traits().bounded ? ~std::size_t{0} : job.store_bytes,
+                               traits.bounded ? ~std::size_t{0} : job.store_bytes,
                                job.filter.reach() > 0};
-        const MethodTraits traits = method.traits();
         worker->stores.push_back({&job.verbs[i], job.verbs[i].make(shape), traits.divides,
                                   std::vector<Stopwatch>(static_cast<std::size_t>(traits.passes))});
     }
