@@ -14,7 +14,7 @@
 // with none, nothing happens. stratified_begin says which number the first of them gets; they count
 // on from there in the order of stratified_before, and take what stratified_takes says, or
 // systematic_takes.
-// Needs prelude.glsl, random.glsl.
+// Needs prelude.glsl, bits.glsl, random.glsl.
 
 SHEER_FN whole reversed_bits(whole x)
 {
@@ -23,14 +23,6 @@ SHEER_FN whole reversed_bits(whole x)
     x = ((x >> 4) & whole(0x0f0f0f0fu)) | ((x & whole(0x0f0f0f0fu)) << 4);
     x = ((x >> 8) & whole(0x00ff00ffu)) | ((x & whole(0x00ff00ffu)) << 8);
     return (x >> 16) | (x << 16);
-}
-
-SHEER_FN whole bit_count(whole x)
-{
-    x = x - ((x >> 1) & whole(0x55555555u));
-    x = (x & whole(0x33333333u)) + ((x >> 2) & whole(0x33333333u));
-    x = (x + (x >> 4)) & whole(0x0f0f0f0fu);
-    return (x * whole(0x01010101u)) >> 24;
 }
 
 // Where pixel (x, y) lies on Hilbert's curve through 2^14 x 2^14 pixels, whose first steps are to

@@ -29,6 +29,7 @@ namespace sheer::HWY_NAMESPACE {
 template <class L>
 struct TrackedText {
 #include "lanes/text_words.h"
+#include "sheer/bits.glsl"
 #include "sheer/random.glsl"
 #include "sheer/stochastic.glsl"
 #include "sheer/stratified_stochastic.glsl"

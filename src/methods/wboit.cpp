@@ -11,6 +11,7 @@
 #include <hwy/foreach_target.h>
 
 #include "methods/samples-inl.h"
+#include "methods/weights-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -56,7 +57,6 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
     using Base = SampleStore<S, WboitMethod<S>>;
     using typename Base::real;
     using typename Base::Text;
-    using Block = Lanes<16>;  // of fragments
 
     int equation;
     EyeSpace eye;
@@ -77,40 +77,13 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        weigh(f);
+        weigh_fragments(f, eye, weights, [&](auto z, auto a) HWY_ATTR {
+            return WboitText<WeightBlock>::wboit_weight(equation, z, buffer_depth(eye, z), a);
+        });
         this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
             return Text::wboit_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]),
                                       real(weights[i]));
         });
-    }
-
-    void weigh(const FragmentStream& f)
-    {
-        using Real = typename Block::real;
-        for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
-            const FragmentRun& run = f.runs[r];
-            const Real least(run.depth.least), most(run.depth.most);
-            for (std::size_t i = run.first; i < run.first + run.count; i += Block::kCount) {
-                // The plane at the centre of a pixel at the triangle's edge may lie behind the eye.
-                const Real at_center = Real::load(f.depth.data() + i);
-                const Real depth = Block::min(Block::max(at_center, least), most);
-                const Real z = eye.orthographic ? depth : Real(-1.0f) / depth;
-                WboitText<Block>::wboit_weight(equation, z, buffer_depth(z),
-                                               Real::load(f.opacity.data() + i))
-                    .store(weights.data() + i);
-            }
-        }
-    }
-
-    // What a depth buffer between znear and zfar has at distance z, or one without an end.
-    template <class Real>
-    HWY_INLINE Real buffer_depth(Real z) const
-    {
-        const Real znear(eye.znear), zfar(eye.zfar);
-        if (eye.orthographic) {
-            return eye.zfar > eye.znear ? (z - znear) / (zfar - znear) : Real(0.0f);
-        }
-        return eye.zfar > 0 ? (znear * zfar / z - zfar) / (znear - zfar) : Real(1.0f) - znear / z;
     }
 };
 

@@ -7,12 +7,11 @@
 #include <limits>
 #include <random>
 
+#include "methods/continuum_answers.h"
 #include "methods/every_method.h"
 #include "methods/rounding.h"
 #include "methods/tile_fixture.h"
-#include "reference/layered.h"
 #include "reference/methods.h"
-#include "reference/z3.h"
 
 namespace sheer {
 
@@ -71,23 +70,6 @@ Rgba wboit_answer(const Setting& setting, const Plates& plates, Rgba behind, Pla
                             static_cast<double>(setting.eye.zfar), behind);
 }
 
-// Where rounding decides between answers.
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-constexpr Rgba kUnknown = {kNone, kNone, kNone, kNone};
-
-reference::KBufferMerge merge_of(const std::string& name)
-{
-    if (name == "front") return reference::KBufferMerge::front;
-    return name == "discard" ? reference::KBufferMerge::discard
-                             : reference::KBufferMerge::nearest_two;
-}
-
-reference::HybridTail tail_of(const std::string& name)
-{
-    if (name == "maule") return reference::HybridTail::maule;
-    return name == "total" ? reference::HybridTail::total : reference::HybridTail::none;
-}
-
 // Of methods whose order is that of depth in floats.
 Fragments fragments_in_floats(const Setting& setting, const Plates& plates, Place place)
 {
@@ -102,34 +84,6 @@ Fragments fragments_in_floats(const Setting& setting, const Plates& plates, Plac
     return fragments;
 }
 
-Rgba layered_answer(const ChosenMethod& method, const Fragments& fragments, Rgba behind)
-{
-    const std::string id = method.row->id;
-    if (id == "depth-peeling") {
-        return reference::depth_peeling(fragments, method.number("peels"), behind);
-    }
-    if (id == "dual-depth-peeling") {
-        return reference::dual_depth_peeling(fragments, method.number("peels"), behind);
-    }
-    const int layers = method.number(id == "adaptive" ? "nodes" : "layers");
-    if (id == "adaptive") {
-        bool doubtful = false;
-        const Rgba color = reference::adaptive(fragments, layers, behind, &doubtful);
-        return doubtful ? kUnknown : color;
-    }
-    if (id == "z3") {
-        bool doubtful = false;
-        const Rgba color =
-            reference::z3(fragments, layers, reference::Z3Depth::mean, behind, &doubtful);
-        return doubtful ? kUnknown : color;
-    }
-    if (id == "mlab") return reference::mlab(fragments, layers, behind);
-    if (id == "hybrid") {
-        return reference::hybrid(fragments, layers, tail_of(method.value("tail")), behind);
-    }
-    return reference::k_buffer(fragments, layers, merge_of(method.value("merge")), behind);
-}
-
 // The plates' primitive is their number.
 Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop, Place place)
 {
@@ -141,9 +95,9 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     if (id == "exact") return reference::composite(fragments, behind);
     if (id == "weighted-average") return reference::weighted_average(fragments, behind);
     if (id == "wboit") return wboit_answer(setting, plates, behind, place);
-    if (id == "mlab" || id == "z3" || id == "k-buffer" || id == "hybrid" || id == "adaptive" ||
-        id.ends_with("depth-peeling")) {
-        return layered_answer(setting.method, fragments_in_floats(setting, plates, place), behind);
+    if (has_continuum_answer(id)) {
+        return continuum_answer(setting.method, fragments_in_floats(setting, plates, place),
+                                behind);
     }
     ADD_FAILURE() << "there is no oracle for the method '" << id << "'";
     return behind;

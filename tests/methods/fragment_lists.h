@@ -42,6 +42,13 @@ struct FragmentLists {
         const ListedFragment& f = fragments[fragment];
         return ((s < 32 ? f.low : f.high) >> s % 32 & 1) != 0;
     }
+    // From the eye, of its pixel's centre.
+    float distance_of(std::size_t fragment) const
+    {
+        const ListedFragment& f = fragments[fragment];
+        const float depth = std::min(std::max(f.center, f.least), f.most);
+        return eye.orthographic ? depth : -1.0f / depth;
+    }
     float depth_at(std::size_t fragment, std::size_t s) const
     {
         const ListedFragment& f = fragments[fragment];

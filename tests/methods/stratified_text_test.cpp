@@ -19,6 +19,7 @@ namespace {
 struct Text {
     using L = Lone<float>;
 #include "lanes/text_words.h"
+#include "sheer/bits.glsl"
 #include "sheer/random.glsl"
 #include "sheer/stratified_stochastic.glsl"
 };

@@ -12,6 +12,9 @@
 
 #include "methods/fragment_lists.h"
 #include "methods/layered_alone.h"
+#include "methods/methods_with_texts.h"
+#include "methods/peeling_alone.h"
+#include "methods/stochastic_alone.h"
 #include "methods/stratified_alone.h"
 #include "lanes/lone.h"
 
@@ -21,6 +24,7 @@ template <class L>
 struct Texts {
 #include "lanes/text_words.h"
 #include "sheer/over.glsl"
+#include "sheer/bits.glsl"
 #include "sheer/random.glsl"
 #include "sheer/blend.glsl"
 #include "sheer/exact.glsl"
@@ -126,6 +130,14 @@ inline int wboit_equation(const ChosenMethod& method)
     return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
 }
 
+// Distance as a depth buffer between znear and zfar has it.
+inline float in_buffer(const EyeSpace& eye, float z)
+{
+    const float near = eye.znear, far = eye.zfar;
+    if (eye.orthographic) return far > near ? (z - near) / (far - near) : 0.0f;
+    return far > 0 ? (near * far / z - far) / (near - far) : 1.0f - near / z;
+}
+
 template <class L>
 struct WboitAlone : MethodAlone<L> {
     using T = Texts<L>;
@@ -135,165 +147,16 @@ struct WboitAlone : MethodAlone<L> {
     static Store clear() { return T::wboit_clear(); }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
-        const ListedFragment& f = this->lists.fragments[i];
-        const EyeSpace& eye = this->lists.eye;
-        const float depth = std::min(std::max(f.center, f.least), f.most);
-        const float z = eye.orthographic ? depth : -1.0f / depth;
-        const auto weight = T::wboit_weight(equation, typename L::real(z),
-                                            typename L::real(in_buffer(z)), this->opacity(i));
+        const float z = this->lists.distance_of(i);
+        const float d = in_buffer(this->lists.eye, z);
+        const auto weight =
+            T::wboit_weight(equation, typename L::real(z), typename L::real(d), this->opacity(i));
         return T::wboit_insert(s, this->lists.covers(i, at), this->color(i), this->opacity(i),
                                weight);
-    }
-    // Distance z as a depth buffer between znear and zfar has it.
-    float in_buffer(float z) const
-    {
-        const auto [orthographic, near, far] = this->lists.eye;
-        if (orthographic) return far > near ? (z - near) / (far - near) : 0.0f;
-        return far > 0 ? (near * far / z - far) / (near - far) : 1.0f - near / z;
     }
     static auto resolve(Store s, typename T::real3 behind) { return T::wboit_resolve(s, behind); }
     static auto transmittance(Store s) { return s.transmittance; }
     static auto keep(Store s) { return WboitAlone::kept(s.color, s.weight, s.transmittance); }
-};
-
-// The masks of a pixel's fragments.
-template <class L>
-struct MasksAlone : MethodAlone<L> {
-    using T = Texts<L>;
-    using real = typename L::real;
-    const bool stratified = this->method.value("masks") == "stratified";
-    const bool dithered = this->method.value("round") == "tile-dither";
-    std::vector<typename T::SampleBits> masks = {};  // of the pixel's fragments
-    std::uint32_t first = 0;
-
-    static real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
-    void begin_pixel(std::uint32_t pixel)
-    {
-        const TilePlace& place = this->lists.place;
-        const std::uint32_t x = static_cast<std::uint32_t>(place.x) + pixel % kTileSize;
-        const std::uint32_t y = static_cast<std::uint32_t>(place.y) + pixel / kTileSize;
-        masks.clear();
-        first = this->lists.first[pixel];
-        for (std::uint32_t i = first; i < this->lists.first[pixel + 1]; ++i) {
-            const std::uint32_t identity =
-                T::identity_seed(name_of(this->lists.fragments[i]), place.key);
-            std::uint32_t own = T::fragment_seed(x, y, identity);
-            const int samples = this->lists.set.count;
-            if (!stratified) {
-                masks.push_back(T::naive_mask(own, this->opacity(i), samples));
-                continue;
-            }
-            const real xi =
-                dithered ? T::dithered_xi(x, y, identity, own) : T::next_random_real(own);
-            masks.push_back(T::stratified_mask(own, xi, this->opacity(i), samples));
-        }
-    }
-    std::uint32_t name_of(const ListedFragment& f) const
-    {
-        const std::string& by = this->method.value("seed-by");
-        if (by == "depth") return std::bit_cast<std::uint32_t>(f.center);
-        if (by == "primitive") return f.primitive;
-        return by == "object" ? 2 * f.object + f.back_facing : f.object;
-    }
-    bool takes(std::size_t i, std::size_t at) const
-    {
-        const auto& mask = masks[i - first];
-        const bool taken = ((at < 32 ? mask.low : mask.high) >> at % 32 & 1) != 0;
-        return taken && this->lists.covers(i, at);
-    }
-    real depth(std::size_t i, std::size_t at) const { return real(this->lists.depth_at(i, at)); }
-    std::uint32_t id(std::size_t i) const { return this->lists.fragments[i].primitive; }
-};
-
-template <class L>
-struct StochasticAlone : MasksAlone<L> {
-    using T = Texts<L>;
-    using real = typename L::real;
-    using real3 = typename T::real3;
-    struct Store {
-        typename T::StochasticStore nearest;
-        real transmittance;
-        bool corrects;
-    };
-
-    Store clear() const
-    {
-        return {T::stochastic_clear(this->beyond_any()), real(1.0f),
-                this->method.value("correction") == "on"};
-    }
-    Store insert(Store s, std::size_t i, std::size_t at) const
-    {
-        s.nearest = T::stochastic_insert(s.nearest, this->takes(i, at),
-                                         {this->depth(i, at), this->id(i), this->color(i)});
-        s.transmittance =
-            T::total_alpha_insert(s.transmittance, this->lists.covers(i, at), this->opacity(i));
-        return s;
-    }
-    static real empty(Store s)
-    {
-        return T::stochastic_transmittance(s.nearest, StochasticAlone::beyond_any());
-    }
-    static real3 resolve(Store s, real3 behind)
-    {
-        const real beyond = StochasticAlone::beyond_any();
-        if (!s.corrects) return T::stochastic_resolve(s.nearest, beyond, behind);
-        const real none(0.0f), one(1.0f);
-        const real3 shown = T::stochastic_resolve(s.nearest, beyond, {none, none, none});
-        return T::over(T::alpha_corrected(shown, one - empty(s), one - s.transmittance),
-                       s.transmittance, behind);
-    }
-    static real transmittance(Store s) { return s.corrects ? s.transmittance : empty(s); }
-    // The id is whole and stays out of it.
-    static auto keep(Store s)
-    {
-        return StochasticAlone::kept(s.nearest.color, s.nearest.depth, s.transmittance);
-    }
-};
-
-template <class L>
-struct StochasticDepthAlone : MasksAlone<L> {
-    using T = Texts<L>;
-    using real = typename L::real;
-    using real3 = typename T::real3;
-    static constexpr int kPasses = 2;
-    struct Store {
-        typename T::StochasticDepth nearest;
-        typename T::StochasticDepthSum sum;
-        real transmittance;
-        bool corrects;
-    };
-
-    Store clear() const
-    {
-        return {T::stochastic_depth_clear(this->beyond_any()), T::stochastic_depth_no_sum(),
-                real(1.0f), this->method.value("correction") == "on"};
-    }
-    Store insert(Store s, std::size_t i, std::size_t at) const
-    {
-        const typename T::StochasticDepth fragment = {this->depth(i, at), this->id(i)};
-        if (this->pass == 0) {
-            s.nearest = T::stochastic_depth_insert(s.nearest, this->takes(i, at), fragment);
-            return s;
-        }
-        const bool covered = this->lists.covers(i, at);
-        const bool shown = T::stochastic_depth_shows(s.nearest, covered, fragment);
-        s.sum =
-            T::stochastic_depth_add(s.sum, shown ? this->opacity(i) : real(0.0f), this->color(i));
-        s.transmittance = T::total_alpha_insert(s.transmittance, covered, this->opacity(i));
-        return s;
-    }
-    static real3 resolve(Store s, real3 behind)
-    {
-        const real one(1.0f), through = s.transmittance;
-        if (!s.corrects) return T::over(s.sum.color, through, behind);
-        return T::over(T::alpha_corrected(s.sum.color, s.sum.weight, one - through), through,
-                       behind);
-    }
-    static real transmittance(Store s) { return s.transmittance; }
-    static auto keep(Store s)
-    {
-        return StochasticDepthAlone::kept(s.sum.color, s.sum.weight, s.transmittance);
-    }
 };
 
 template <class L, template <class> class Method>

@@ -2,6 +2,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "sheer/prelude.glsl"
 #include "sheer/over.glsl"
+#include "sheer/bits.glsl"
 #include "sheer/random.glsl"
 #include "sheer/stochastic.glsl"
 #include "sheer/stratified_stochastic.glsl"

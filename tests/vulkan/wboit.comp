@@ -4,23 +4,16 @@
 #include "sheer/over.glsl"
 #include "sheer/wboit.glsl"
 #include "fragment_list.glsl"
+#include "buffer_depth.glsl"
 
 layout(constant_id = 1) const int kEquation = 9;
-
-float depth_in_buffer(float z)
-{
-    float near = tile.near, far = tile.far;
-    if (tile.orthographic != 0) return far > near ? (z - near) / (far - near) : 0;
-    return far > 0 ? (near * far / z - far) / (near - far) : 1 - near / z;
-}
 
 void main()
 {
     WboitStore s = wboit_clear();
     for (uint i = list_begin(); i < list_end(); ++i) {
         Fragment f = fragments[i];
-        float depth = clamp_depth(f, f.center);
-        float z = tile.orthographic != 0 ? depth : -1 / depth;
+        float z = distance_of(f);
         float weight = wboit_weight(kEquation, z, depth_in_buffer(z), f.opacity);
         s = wboit_insert(s, covers(f), color_of(f), f.opacity, weight);
     }
