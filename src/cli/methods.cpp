@@ -56,6 +56,11 @@ Json methods_json()
             {{"id", row.id},
              {"title", row.title},
              {"citation", row.citation},
+             {"continuum",
+              {{"contribute", row.continuum.contribute},
+               {"store", row.continuum.store},
+               {"merge", row.continuum.merge},
+               {"normalise", row.continuum.normalise}}},
              {"parameters", parameters_json(row)},
              {"passes", row.traits.passes},
              {"bytes_per_pixel", row.traits.bytes_formula()},
@@ -91,9 +96,46 @@ std::string properties_table()
     return table.text();
 }
 
+std::string continuum_table()
+{
+    TextTable table{.left = 4, .last_is_prose = true, .rows = {}};
+    table.rows.push_back({"method", "a fragment contributes", "what is stored",
+                          "one too many: merge", "of what was given up: normalise"});
+    for (const MethodRow& row : method_table()) {
+        const ContinuumPlace& place = row.continuum;
+        table.rows.push_back({row.id, place.contribute, place.store, place.merge, place.normalise});
+    }
+    return table.text();
+}
+
+// The table of docs/continuum.md.
+std::string methods_markdown()
+{
+    std::string text =
+        "| method | contribute | store | merge | normalise | bytes a pixel | passes | any order | "
+        "on average | exact up to |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
+        "|\n";
+    for (const MethodRow& row : method_table()) {
+        const ContinuumPlace& place = row.continuum;
+        const std::string cells[] = {"`" + std::string(row.id) + "`",
+                                     place.contribute,
+                                     place.store,
+                                     place.merge,
+                                     place.normalise,
+                                     row.traits.bytes_formula(),
+                                     std::to_string(row.traits.passes),
+                                     name_of(row.traits.any_order),
+                                     name_of(row.traits.bias),
+                                     exact_up_to(row)};
+        for (const std::string& cell : cells) text += "| " + cell + " ";
+        text += "|\n";
+    }
+    return text;
+}
+
 std::string methods_text()
 {
-    std::string text = properties_table();
+    std::string text = properties_table() + "\n" + continuum_table();
     text +=
         "\nS: samples a pixel; N: fragments of the pixel; exact up to: fragments a sample\n"
         "any order: the same for every order of the fragments, bit for bit or to rounding\n\n";
@@ -114,13 +156,19 @@ std::string methods_text()
 void add_methods_command(CLI::App& tool)
 {
     CLI::App* command = tool.add_subcommand("methods", "List the methods and their properties");
-    const auto json = std::make_shared<bool>(false);
-    command->add_flag("--json", *json, "For programs; exact_up_to is null for any number")
-        ->disable_flag_override();
+    const auto json = std::make_shared<bool>(false), markdown = std::make_shared<bool>(false);
+    CLI::Option* for_programs =
+        command->add_flag("--json", *json, "For programs; exact_up_to is null for any number");
+    for_programs->disable_flag_override();
+    command->add_flag("--markdown", *markdown, "The table of docs/continuum.md")
+        ->disable_flag_override()
+        ->excludes(for_programs);
     command->footer(examples_help(
-        {"sheer methods", "sheer methods --json",
+        {"sheer methods", "sheer methods --json", "sheer methods --markdown",
          "sheer methods --json | jq -r '.methods[] | select(.order_independent) | .id'"}));
-    command->callback([json] { print(*json ? json_text(methods_json()) : methods_text()); });
+    command->callback([json, markdown] {
+        print(*json ? json_text(methods_json()) : *markdown ? methods_markdown() : methods_text());
+    });
 }
 
 }  // namespace sheer

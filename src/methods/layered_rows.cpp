@@ -105,6 +105,8 @@ MethodRow depth_peeling_row()
         {.id = "depth-peeling",
          .title = "Depth peeling: the nearest layer, then the next, a pass for each",
          .citation = "Everitt. Interactive Order-Independent Transparency. NVIDIA 2001",
+         .continuum = {"if it is the nearest behind the layers before", "one layer a pass",
+                       "the farther is discarded, until the next pass", "none"},
          .parameters = {kPeels},
          .traits = {},
          .verbs = depth_peeling_verbs,
@@ -118,6 +120,9 @@ MethodRow dual_depth_peeling_row()
          .title = "Dual depth peeling: the nearest layer and the farthest, a pass for both",
          .citation = "Bavoil and Myers. Order Independent Transparency with Dual Depth Peeling. "
                      "NVIDIA 2008",
+         .continuum = {"if it is the nearest or farthest between the layers before",
+                       "two layers a pass", "those between are discarded, until the next pass",
+                       "none"},
          .parameters = {kPeels},
          .traits = {},
          .verbs = dual_depth_peeling_verbs,
@@ -131,6 +136,10 @@ MethodRow k_buffer_row()
          .title = "k-buffer: a few layers, of which the nearest gives way",
          .citation = "Bavoil, Callahan, Lefohn, Comba and Silva. Multi-Fragment Effects on the GPU "
                      "Using the k-Buffer. I3D 2007",
+         .continuum = {"always", "K layers",
+                       "the nearest goes in front of all; the two nearest become one; or the "
+                       "farthest is discarded",
+                       "none"},
          .parameters = {kLayers,
                         {"merge", "front|nearest-two|discard", "front",
                          "of a layer too many: the nearest goes to an accumulator in front of "
@@ -146,6 +155,8 @@ MethodRow hybrid_row()
         {.id = "hybrid",
          .title = "Hybrid transparency: the nearest layers exactly, an average of all others",
          .citation = "Maule, Comba, Torchelsen and Bastos. Hybrid Transparency. I3D 2013",
+         .continuum = {"always", "K layers", "the farthest is discarded",
+                       "the opacity-weighted mean of what was discarded"},
          .parameters = {kLayers,
                         {"tail", "maule|total|none", "maule",
                          "how opaque the others are: as equal ones would be, as they are; or the "
@@ -161,6 +172,7 @@ MethodRow mlab_row()
         {.id = "mlab",
          .title = "Multi-layer alpha blending: a few layers, of which the farthest two become one",
          .citation = "Salvi and Vaidyanathan. Multi-Layer Alpha Blending. I3D 2014",
+         .continuum = {"always", "K layers", "the two farthest become one", "none"},
          .parameters = {kLayers},
          .traits = {},
          .verbs = mlab_verbs,
@@ -174,6 +186,7 @@ MethodRow z3_row()
          .title = "Z3: a few layers, of which the two closest in depth become one",
          .citation = "Jouppi and Chang. Z3: An Economical Hardware Technique for High-Quality "
                      "Antialiasing and Transparency. EGGH 1999",
+         .continuum = {"always", "K layers", "the two closest in depth become one", "none"},
          .parameters = {kLayers},
          .traits = {},
          .verbs = z3_verbs,
@@ -186,6 +199,8 @@ MethodRow adaptive_row()
         {.id = "adaptive",
          .title = "Adaptive transparency: visibility as a curve of a few steps",
          .citation = "Salvi, Montgomery and Lefohn. Adaptive Transparency. HPG 2011",
+         .continuum = {"always", "K steps of a visibility curve", "the step of the least area goes",
+                       "none"},
          .parameters = {{"nodes", "1..32", "8", "steps of the curve at each sample"}},
          .traits = {},
          .verbs = adaptive_verbs,

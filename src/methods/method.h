@@ -201,10 +201,19 @@ struct MethodTraits {
     std::string bytes_formula() const;  // in S, the samples, and N, the pixel's fragments
 };
 
+// A method's place in Wyman's continuum: what it does with a new fragment.
+struct ContinuumPlace {
+    const char* contribute = "";  // whether it does
+    const char* store = "";       // what is kept of it, and how many of these
+    const char* merge = "";       // what becomes of one too many
+    const char* normalise = "";   // and of what was given up
+};
+
 struct MethodRow {
     const char* id;
     const char* title;
     const char* citation;
+    ContinuumPlace continuum;
     std::vector<Parameter> parameters;
     MethodTraits traits;  // with the standard values
     bool random = false;  // the picture depends on the seed

@@ -121,6 +121,9 @@ MethodRow stochastic_row()
         {.id = "stochastic",
          .title = "Stochastic transparency: each fragment takes a random part of its samples",
          .citation = "Enderton, Sintorn, Shirley and Luebke. Stochastic Transparency. I3D 2010",
+         .continuum = {"if its random mask has the sample", "one layer a sample",
+                       "the farther is discarded",
+                       "none; with correction=on scaled to total alpha"},
          .parameters =
              {{"masks", "naive|stratified|table|tracked|systematic", "stratified",
                "each sample for itself; as many of S as the opacity says; such masks from a table, "

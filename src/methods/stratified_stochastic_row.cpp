@@ -37,6 +37,8 @@ MethodRow stratified_stochastic_row()
         {.id = "stratified-stochastic",
          .title = "Stochastic transparency, stratified over pixels, fragments and layers",
          .citation = "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011",
+         .continuum = {"if its stratified number takes the sample", "one layer a sample",
+                       "the farther is discarded", "none"},
          .parameters =
              {{"tracking", "on|off", "on",
                "whether fragments that share no sample of a pixel are taken for one surface"},

@@ -29,6 +29,7 @@ std::span<const MethodRow> method_table()
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
+         .continuum = {"never", "nothing", "none", "none"},
          .parameters = {},
          .traits = {.any_order = kBits, .merge = kBits},
          .bench_only = true,
@@ -36,6 +37,7 @@ std::span<const MethodRow> method_table()
         {.id = "blend",
          .title = "Alpha blending in the order of submission",
          .citation = "Porter and Duff. Compositing Digital Images. SIGGRAPH 1984",
+         .continuum = {"always", "one layer", "over, in the order of submission", "none"},
          .parameters = {},
          .traits = {.bytes_per_sample = 16, .merges_in_order = true, .exact_up_to = 1},
          .verbs = blend_verbs},
@@ -43,6 +45,8 @@ std::span<const MethodRow> method_table()
          .title = "Alpha blending, sorted by object or triangle: what engines ship",
          .citation =
              "Newell, Newell and Sancha. A Solution to the Hidden Surface Problem. ACM 1972",
+         .continuum = {"always", "one layer", "over, in the order of submission, which is sorted",
+                       "none"},
          .parameters = {{"by", "object|triangle", "object",
                          "farthest first: by the centre of each object's bounds, or by each "
                          "triangle's centroid"}},
@@ -52,6 +56,7 @@ std::span<const MethodRow> method_table()
         {.id = "exact",
          .title = "A-buffer: every fragment kept, sorted at each sample",
          .citation = "Carpenter. The A-buffer, an Antialiased Hidden Surface Method. SIGGRAPH 1984",
+         .continuum = {"always", "all fragments", "none", "none"},
          .parameters = {},
          .traits = {.bytes_per_fragment = 36,
                     .bounded = false,
@@ -74,6 +79,7 @@ std::span<const MethodRow> method_table()
          .title = "Weighted average: every layer counts alike",
          .citation = "Bavoil and Myers. Order Independent Transparency with Dual Depth Peeling. "
                      "NVIDIA 2008",
+         .continuum = {"always", "sums, no layer", "a sum", "the opacity-weighted mean of all"},
          .parameters = {},
          .traits =
              {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
@@ -82,6 +88,8 @@ std::span<const MethodRow> method_table()
          .title = "Weighted blended: weights that fall with distance",
          .citation = "McGuire and Bavoil. Weighted Blended Order-Independent Transparency. "
                      "JCGT 2(2), 2013",
+         .continuum = {"always", "sums, no layer", "a sum, weighted by distance",
+                       "the weighted mean of all"},
          .parameters = {{"weight", "eq7|eq8|eq9|eq10|uniform", "eq9",
                          "the paper's equation, in metres from the eye, or none"}},
          .traits =

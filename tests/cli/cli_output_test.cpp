@@ -75,7 +75,7 @@ TEST(ToolOutput, MethodsAreTheTable)
     ASSERT_EQ(methods.size(), method_table().size());
     for (std::size_t i = 0; i < methods.size(); ++i) {
         const MethodRow& row = method_table()[i];
-        expect_keys(methods[i], {"id", "title", "citation", "parameters", "passes",
+        expect_keys(methods[i], {"id", "title", "citation", "continuum", "parameters", "passes",
                                  "bytes_per_pixel", "bounded", "order_independent", "coloured",
                                  "unbiased", "exact_up_to", "bench_only"});
         EXPECT_EQ(methods[i].at("id"), row.id);
@@ -85,6 +85,41 @@ TEST(ToolOutput, MethodsAreTheTable)
     const std::string text = output_of(tool, {"methods"});
     for (const MethodRow& row : method_table()) {
         EXPECT_NE(text.find(row.citation), std::string::npos) << row.id;
+    }
+}
+
+// docs/continuum.md has the table between two lines; a change of the table is to be copied there.
+TEST(ToolOutput, TheContinuumPageHasTheTable)
+{
+    const Tool tool;
+    const std::string table = output_of(tool, {"methods", "--markdown"});
+    const std::string page = text_of(SHEER_SOURCE_DIR "/docs/continuum.md");
+    const std::string begin = "<!-- sheer methods --markdown -->\n", end = "<!-- end -->\n";
+    const std::size_t first = page.find(begin), last = page.find(end);
+    ASSERT_NE(first, std::string::npos);
+    ASSERT_NE(last, std::string::npos);
+    const std::size_t after = first + begin.size();
+    EXPECT_EQ(page.substr(after, last - after), table)
+        << "put the output of 'sheer methods --markdown' into docs/continuum.md";
+    for (const MethodRow& row : method_table()) {
+        EXPECT_NE(table.find("| `" + std::string(row.id) + "` | " + row.continuum.contribute +
+                             " | " + row.continuum.store + " | " + row.continuum.merge + " | " +
+                             row.continuum.normalise + " |"),
+                  std::string::npos);
+    }
+}
+
+TEST(ToolOutput, EveryMethodAnswersTheFourQuestions)
+{
+    const Tool tool;
+    const Json methods = json_of(tool, {"methods", "--json"}).at("methods");
+    const std::string text = output_of(tool, {"methods"});
+    for (const Json& method : methods) {
+        for (const char* question : {"contribute", "store", "merge", "normalise"}) {
+            const std::string answer = method.at("continuum").at(question);
+            EXPECT_FALSE(answer.empty()) << method.at("id") << ", " << question;
+            EXPECT_NE(text.find(answer), std::string::npos);
+        }
     }
 }
 
