@@ -10,6 +10,9 @@ StoreVerbs blend_verbs(TargetSet targets, const ChosenMethod& method, int sample
 StoreVerbs exact_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs exact_colored_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs phenomenological_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs phenomenological_colored_verbs(TargetSet targets, const ChosenMethod& method,
+                                          int samples);
 StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
@@ -25,7 +28,7 @@ MethodRow adaptive_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 15> kTable = {{
+    static const std::array<MethodRow, 16> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -95,6 +98,16 @@ std::span<const MethodRow> method_table()
          .traits =
              {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
          .verbs = wboit_verbs},
+        {.id = "phenomenological",
+         .title = "Weighted blending that knows coloured glass: each channel has its transmittance",
+         .citation = "McGuire and Mara. Phenomenological Transparency. TVCG 23(5), 2017",
+         .continuum = {"always", "sums, no layer", "a sum, weighted by distance",
+                       "the weighted mean of all"},
+         .parameters = {},
+         .traits =
+             {.bytes_per_sample = 28, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
+         .verbs = phenomenological_verbs,
+         .colored_verbs = phenomenological_colored_verbs},
     }};
     return kTable;
 }

@@ -12,6 +12,7 @@
 #include "methods/rounding.h"
 #include "methods/tile_fixture.h"
 #include "reference/methods.h"
+#include "reference/phenomenological.h"
 
 namespace sheer {
 
@@ -70,6 +71,24 @@ Rgba wboit_answer(const Setting& setting, const Plates& plates, Rgba behind, Pla
                             static_cast<double>(setting.eye.zfar), behind);
 }
 
+Rgba phenomenological_answer(const Setting& setting, const Plates& plates, Rgba behind, Place place)
+{
+    Fragments fragments = fragments_at(plates, *setting.set, place.used, place.s);
+    const auto znear = static_cast<double>(setting.eye.znear);
+    const auto zfar = static_cast<double>(setting.eye.zfar);
+    for (Fragment& f : fragments) {
+        const DepthPlane& plane = plates[f.id].depth;
+        const auto depth = static_cast<double>(depth_at_center(plane, tile_pixel(place.used)));
+        if (setting.eye.orthographic) {
+            f.depth = (depth - znear) / (zfar - znear);
+        } else {
+            const double z = -1 / depth;
+            f.depth = zfar > 0 ? (znear * zfar / z - zfar) / (znear - zfar) : 1 - znear / z;
+        }
+    }
+    return reference::phenomenological(fragments, reference::BackdropPart::mean, behind);
+}
+
 // Of methods whose order is that of depth in floats.
 Fragments fragments_in_floats(const Setting& setting, const Plates& plates, Place place)
 {
@@ -94,6 +113,7 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     if (id == "blend" || id == "sorted-blend") return reference::blend(fragments, behind);
     if (id == "exact") return reference::composite(fragments, behind);
     if (id == "weighted-average") return reference::weighted_average(fragments, behind);
+    if (id == "phenomenological") return phenomenological_answer(setting, plates, behind, place);
     if (id == "wboit") return wboit_answer(setting, plates, behind, place);
     if (has_continuum_answer(id)) {
         return continuum_answer(setting.method, fragments_in_floats(setting, plates, place),

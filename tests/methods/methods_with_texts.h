@@ -50,6 +50,7 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "depth-peeling:peels=3",
     "dual-depth-peeling",
     "dual-depth-peeling:peels=2",
+    "phenomenological",
 };
 
 }  // namespace sheer::test

@@ -16,6 +16,7 @@
 #include "methods/peeling_alone.h"
 #include "methods/stochastic_alone.h"
 #include "methods/stratified_alone.h"
+#include "methods/sums_alone.h"
 #include "lanes/lone.h"
 
 namespace sheer::test {
@@ -43,6 +44,7 @@ struct Texts {
 #include "sheer/adaptive.glsl"
 #include "sheer/depth_peeling.glsl"
 #include "sheer/dual_depth_peeling.glsl"
+#include "sheer/phenomenological.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -130,14 +132,6 @@ inline int wboit_equation(const ChosenMethod& method)
     return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
 }
 
-// Distance as a depth buffer between znear and zfar has it.
-inline float in_buffer(const EyeSpace& eye, float z)
-{
-    const float near = eye.znear, far = eye.zfar;
-    if (eye.orthographic) return far > near ? (z - near) / (far - near) : 0.0f;
-    return far > 0 ? (near * far / z - far) / (near - far) : 1.0f - near / z;
-}
-
 template <class L>
 struct WboitAlone : MethodAlone<L> {
     using T = Texts<L>;
@@ -218,6 +212,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
     if (id == "depth-peeling") return make_alone<L, DepthPeelingAlone>(lists, method);
     if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
+    if (id == "phenomenological") return make_alone<L, PhenomenologicalAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }
 
