@@ -12,7 +12,9 @@ namespace {
 void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats& stats)
 {
     const Submission submission = submission_of(job.takes[take]);
-    const std::vector<const char*> names = job.takes[take].method.traits().pass_names;
+    const MethodTraits traits = job.takes[take].method.traits();
+    const std::vector<const char*>& names = traits.pass_names;
+    const auto once = static_cast<std::size_t>(traits.named_once);
     std::vector<double> ms_of_names(names.size());
     for (const auto& worker : workers) {
         if (!worker) continue;
@@ -20,7 +22,8 @@ void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats
         stats.fragments += store.fragments;
         stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(submission);
         for (std::size_t p = 0; p < store.storing.size(); ++p) {
-            ms_of_names[p % names.size()] += store.storing[p].ms();
+            const std::size_t name = p < once ? p : once + (p - once) % (names.size() - once);
+            ms_of_names[name] += store.storing[p].ms();
         }
         stats.ms_resolve += store.resolving.ms();
     }

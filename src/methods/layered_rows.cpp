@@ -8,6 +8,7 @@ StoreVerbs hybrid_verbs(TargetSet targets, const ChosenMethod& method, int sampl
 StoreVerbs mlab_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs z3_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs adaptive_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs bucket_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs dual_depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 
@@ -94,6 +95,27 @@ MethodTraits dual_peeling_traits(const ChosenMethod& method)
     return peeling_traits(method, 2);
 }
 
+// The range pass, one that marks bins, and the peels.
+MethodTraits bucket_traits(const ChosenMethod& method)
+{
+    const bool adaptive = method.value("borders") == "adaptive";
+    const int peels = method.number("peels");
+    MethodTraits traits;
+    traits.passes = (adaptive ? 2 : 1) + peels;
+    traits.pass_names = {"range"};
+    if (adaptive) traits.pass_names.push_back("bins");
+    traits.named_once = traits.passes - peels;
+    traits.pass_names.push_back("peel");
+    traits.bytes_per_sample = (peels > 1 ? 2 : 1) * kLayerBytes * method.number("buckets") + 8;
+    traits.bytes_besides = 5;
+    if (adaptive) traits.bytes_per_sample += 128 + 132;
+    traits.any_order = Agreement::bits;
+    traits.merge = Agreement::bits;
+    traits.bias = Bias::consistent;
+    traits.exact_up_to = peels;
+    return traits;
+}
+
 constexpr Parameter kPeels = {"peels", "1..4096", "4096",
                               "passes at most; they end when nothing is left"};
 
@@ -127,6 +149,26 @@ MethodRow dual_depth_peeling_row()
          .traits = {},
          .verbs = dual_depth_peeling_verbs,
          .traits_of = dual_peeling_traits});
+}
+
+MethodRow bucket_peeling_row()
+{
+    return with_standard_traits(
+        {.id = "bucket-peeling",
+         .title = "Bucket depth peeling: the nearest layer of each of a few ranges of depth",
+         .citation = "Liu, Huang, Liu and Wu. Efficient Depth Peeling via Bucket Sort. HPG 2009",
+         .continuum = {"if it is the nearest in its bucket", "one layer a bucket and pass",
+                       "the farther is discarded", "none"},
+         .parameters = {{"buckets", "1..32", "32", "ranges of depth at each sample"},
+                        {"borders", "uniform|adaptive", "uniform",
+                         "ranges of one size, or such that each has as many of the bins, of 1024, "
+                         "that hold something"},
+                        {"peels", "1..4096", "1",
+                         "layers that are taken of each, a pass for each; they end when nothing is "
+                         "left"}},
+         .traits = {},
+         .verbs = bucket_peeling_verbs,
+         .traits_of = bucket_traits});
 }
 
 MethodRow k_buffer_row()

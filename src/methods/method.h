@@ -178,8 +178,9 @@ struct Parameter {
 // What a method promises. May depend on its parameters.
 struct MethodTraits {
     int passes = 1;  // over the fragments; at most, where StoreVerbs::done says so
-    // Names of the passes, which go round.
+    // Names of the passes: of the first each its own, the others go round.
     std::vector<const char*> pass_names = {"store"};
+    int named_once = 0;
     // Of the store, a pixel.
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
     int bytes_of_tables = 0;                // of all stores together, at most

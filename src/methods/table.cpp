@@ -19,6 +19,7 @@ MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
 MethodRow depth_peeling_row();
 MethodRow dual_depth_peeling_row();
+MethodRow bucket_peeling_row();
 MethodRow k_buffer_row();
 MethodRow hybrid_row();
 MethodRow mlab_row();
@@ -28,7 +29,7 @@ MethodRow adaptive_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 16> kTable = {{
+    static const std::array<MethodRow, 17> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -71,6 +72,7 @@ std::span<const MethodRow> method_table()
          .colored_verbs = exact_colored_verbs},
         depth_peeling_row(),
         dual_depth_peeling_row(),
+        bucket_peeling_row(),
         stochastic_row(),
         stratified_stochastic_row(),
         k_buffer_row(),

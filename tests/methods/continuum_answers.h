@@ -1,11 +1,14 @@
 // What src/reference answers for the methods of the continuum.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
 
 #include "methods/method.h"
+#include "reference/bucket_peeling.h"
 #include "reference/layered.h"
 #include "reference/z3.h"
 
@@ -31,10 +34,39 @@ inline reference::HybridTail tail_of(const std::string& name)
     return name == "total" ? reference::HybridTail::total : reference::HybridTail::none;
 }
 
+// Whether a place among `parts` of the range, of which one rounding of the difference, one of the
+// range, one of their quotient and one of the product leave 2^-22 of `parts`, may be beyond a
+// border. The ends of the range are none.
+inline bool may_cross_border(std::span<const Fragment> fragments, int parts)
+{
+    if (fragments.empty()) return false;
+    const auto [least, most] =
+        std::minmax_element(fragments.begin(), fragments.end(),
+                            [](const auto& a, const auto& b) { return a.depth < b.depth; });
+    const double nearest = least->depth, range = most->depth - nearest;
+    return std::any_of(fragments.begin(), fragments.end(), [&](const Fragment& f) {
+        const double at = (f.depth - nearest) / range * parts;
+        const double border = std::round(at);
+        return border > 0 && border < parts && std::abs(at - border) < parts * 0x1p-22;
+    });
+}
+
+inline Rgba bucket_answer(const ChosenMethod& method, std::span<const Fragment> fragments,
+                          Rgba behind)
+{
+    reference::BucketPeeling how;
+    how.buckets = method.number("buckets");
+    how.both_ends = false;
+    how.passes = method.number("peels");
+    how.bins = method.value("borders") == "adaptive" ? 1024 : 0;
+    if (may_cross_border(fragments, how.bins > 0 ? how.bins : how.buckets)) return kUnknown;
+    return reference::bucket_peeling(fragments, how, behind);
+}
+
 inline bool has_continuum_answer(const std::string& id)
 {
-    for (const char* known :
-         {"mlab", "z3", "k-buffer", "hybrid", "adaptive", "depth-peeling", "dual-depth-peeling"}) {
+    for (const char* known : {"mlab", "z3", "k-buffer", "hybrid", "adaptive", "depth-peeling",
+                              "dual-depth-peeling", "bucket-peeling"}) {
         if (id == known) return true;
     }
     return false;
@@ -51,6 +83,7 @@ inline Rgba continuum_answer(const ChosenMethod& method, std::span<const Fragmen
     if (id == "dual-depth-peeling") {
         return reference::dual_depth_peeling(fragments, method.number("peels"), behind);
     }
+    if (id == "bucket-peeling") return bucket_answer(method, fragments, behind);
     const int layers = method.number(id == "adaptive" ? "nodes" : "layers");
     if (id == "adaptive") {
         bool doubtful = false;

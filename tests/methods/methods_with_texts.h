@@ -50,6 +50,11 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "depth-peeling:peels=3",
     "dual-depth-peeling",
     "dual-depth-peeling:peels=2",
+    "bucket-peeling",
+    "bucket-peeling:buckets=1",
+    "bucket-peeling:buckets=3:peels=3",
+    "bucket-peeling:buckets=5:borders=adaptive",
+    "bucket-peeling:buckets=4:borders=adaptive:peels=4096",
     "phenomenological",
 };
 

@@ -1,6 +1,10 @@
 // The texts of peeling, for texts_alone.h, which has the rest.
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 #include "methods/layered_alone.h"
 
 namespace sheer::test {
@@ -80,6 +84,95 @@ struct DualPeelingAlone : LayersAlone<L> {
     static auto keep(const Store& s)
     {
         return DualPeelingAlone::kept(all(s).color, all(s).opacity, all(s).depth);
+    }
+};
+
+template <class L>
+struct BucketPeelingAlone : LayersAlone<L> {
+    using T = Texts<L>;
+    static constexpr int kPasses = 4096 + 2;
+    struct Store {
+        typename T::BucketRange range;
+        std::vector<std::uint32_t> bins, before;
+        std::vector<typename T::DepthPeel> peels;
+        int begun;
+    };
+
+    bool adaptive() const { return this->method.value("borders") == "adaptive"; }
+    int first_peel() const { return adaptive() ? 2 : 1; }
+    int buckets() const { return this->method.number("buckets"); }
+
+    Store clear() const
+    {
+        return {T::bucket_range_clear(this->beyond_any()), std::vector<std::uint32_t>(32),
+                std::vector<std::uint32_t>(33),
+                std::vector(static_cast<std::size_t>(buckets()),
+                            T::depth_peeling_clear(this->beyond_any())),
+                0};
+    }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        if (this->pass != s.begun) begin(s);
+        const bool covered = this->lists.covers(i, at);
+        const typename L::real depth(this->lists.depth_at(i, at));
+        if (this->pass == 0) {
+            s.range = T::bucket_range_insert(s.range, covered, depth);
+            return s;
+        }
+        if (!adaptive()) {
+            peel(s, T::bucket_place(s.range, covered, depth, buckets()), i, at);
+            return s;
+        }
+        const std::uint32_t bin = T::bucket_place(s.range, covered, depth, 1024);
+        const std::uint32_t word = T::bucket_word(bin);
+        if (this->pass == 1) {
+            s.bins[word] = T::bucket_mark(s.bins[word], covered, bin);
+            return s;
+        }
+        const std::uint32_t rank = T::bucket_rank(s.before[word], s.bins[word], bin);
+        peel(s, T::bucket_of_rank(rank, s.before[32], buckets()), i, at);
+        return s;
+    }
+    void begin(Store& s) const
+    {
+        s.begun = this->pass;
+        if (this->pass == first_peel()) {
+            for (std::size_t w = 0; w < 32; ++w) {
+                s.before[w + 1] = s.before[w] + T::bit_count(s.bins[w]);
+            }
+        }
+        if (this->pass <= first_peel()) return;
+        for (auto& peel : s.peels) peel = T::depth_peeling_begin(peel, this->beyond_any());
+    }
+    void peel(Store& s, std::uint32_t bucket, std::size_t i, std::size_t at) const
+    {
+        s.peels[bucket] = T::depth_peeling_insert(s.peels[bucket], this->layer(i, at));
+    }
+    bool done(const Store& s) const
+    {
+        if (this->pass < first_peel()) return false;
+        if (this->pass + 1 == this->method.traits().passes) return true;
+        return std::none_of(s.peels.begin(), s.peels.end(), [](const auto& peel) {
+            return peel.nearest.depth < BucketPeelingAlone::beyond_any();
+        });
+    }
+    static auto all(const Store& s)
+    {
+        auto sum = BucketPeelingAlone::nothing();
+        for (const auto& peel : s.peels) {
+            const auto last = T::depth_peeling_begin(peel, BucketPeelingAlone::beyond_any());
+            sum = T::layer_over(sum, last.front);
+        }
+        return sum;
+    }
+    static auto resolve(const Store& s, typename T::real3 behind)
+    {
+        return T::layer_resolve(all(s), behind);
+    }
+    static auto transmittance(const Store& s) { return BucketPeelingAlone::through(all(s)); }
+    static auto keep(const Store& s)
+    {
+        return BucketPeelingAlone::kept(all(s).color, s.range.nearest, s.range.farthest);
     }
 };
 

@@ -82,7 +82,7 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         formula = 2 * n + 2 + n + backdrop;
     } else if (id == "weighted-average") {
         formula = 2 * (n + 2) + 2 * (4 * n + 1) + 6;
-    } else if (id == "mlab" || id == "z3" || id == "k-buffer" || id.ends_with("depth-peeling")) {
+    } else if (id == "mlab" || id == "z3" || id == "k-buffer" || id.ends_with("-peeling")) {
         formula = 9 * n + 4;
     } else if (id == "adaptive") {
         formula = 3 * n + 3 + backdrop;
@@ -121,7 +121,7 @@ inline constexpr double kOneFragment = 8 * kUnit;
 inline double one_fragment_bound(const ChosenMethod& method)
 {
     // But peeling finds it in one of them.
-    if (std::string(method.row->id).ends_with("depth-peeling")) return kOneFragment;
+    if (std::string(method.row->id).ends_with("-peeling")) return kOneFragment;
     return kOneFragment + 2 * (method.traits().passes - 1) * kUnit;
 }
 

@@ -44,6 +44,7 @@ struct Texts {
 #include "sheer/adaptive.glsl"
 #include "sheer/depth_peeling.glsl"
 #include "sheer/dual_depth_peeling.glsl"
+#include "sheer/bucket_peeling.glsl"
 #include "sheer/phenomenological.glsl"
 };
 
@@ -212,6 +213,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
     if (id == "depth-peeling") return make_alone<L, DepthPeelingAlone>(lists, method);
     if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
+    if (id == "bucket-peeling") return make_alone<L, BucketPeelingAlone>(lists, method);
     if (id == "phenomenological") return make_alone<L, PhenomenologicalAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }

@@ -69,9 +69,12 @@ TEST(TextRounding, FloatsAreWithinTheirBoundOfDoubles)
 {
     for (const FragmentLists& lists : random_lists(8)) {
         for (const std::string& method : kMethodsWithTexts) {
-            // Which step of a curve goes, or which layers become one, may be another in floats
-            // where two are as small.
-            if (method.starts_with("adaptive") || method.starts_with("z3")) continue;
+            // Which step of a curve goes, or which layers become one may be
+            // another in floats where two are as small, and so may the bucket at a border.
+            if (method.starts_with("adaptive") || method.starts_with("z3") ||
+                method.starts_with("bucket")) {
+                continue;
+            }
             const std::string what = method + " on " + lists.name;
             Bounded::doubtful = 0;
             const auto bounds = make_alone<LoneBounded>(lists, method);

@@ -134,6 +134,11 @@ private:
         if (id.ends_with("depth-peeling")) {
             all.push_back({1, static_cast<std::uint32_t>(method.number("peels"))});
         }
+        if (id == "bucket-peeling") {
+            all.push_back({1, static_cast<std::uint32_t>(method.number("buckets"))});
+            all.push_back({2, method.value("borders") == "adaptive" ? 1u : 0u});
+            all.push_back({3, static_cast<std::uint32_t>(method.number("peels"))});
+        }
         if (id == "k-buffer") {
             const std::string& merge = method.value("merge");
             all.push_back({2, merge == "front" ? 0u : merge == "nearest-two" ? 1u : 2u});

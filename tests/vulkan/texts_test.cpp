@@ -50,10 +50,11 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
         std::vector<FragmentLists> tiles = random_lists(samples);
         tiles.push_back(lists_of_fullest_tile(motor, "motor", samples));
         tiles.push_back(lists_of_fullest_tile(table, "tea table", samples));
-        expect_same_bits(tiles,
-                         {"blend", "exact", "weighted-average", "wboit", "stochastic",
-                          "stratified-stochastic", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
-                          "depth-peeling", "dual-depth-peeling", "phenomenological"});
+        expect_same_bits(
+            tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
+                    "stratified-stochastic", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
+                    "depth-peeling", "dual-depth-peeling", "bucket-peeling", "phenomenological",
+                    "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
     }
 }
 
