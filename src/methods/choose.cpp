@@ -89,6 +89,7 @@ std::string MethodTraits::bytes_formula() const
     };
     add(bytes_per_sample, " S");
     add(bytes_per_fragment, " N");
+    add(bytes_per_fragment_and_sample, " S N");
     add(bytes_besides, "");
     return text.empty() ? "0" : text;
 }

@@ -7,6 +7,7 @@ StoreVerbs k_buffer_verbs(TargetSet targets, const ChosenMethod& method, int sam
 StoreVerbs hybrid_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs mlab_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs z3_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs deep_shadow_map_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs adaptive_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs bucket_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs depth_peeling_verbs(TargetSet targets, const ChosenMethod& method, int samples);
@@ -68,6 +69,23 @@ MethodTraits adaptive_traits(const ChosenMethod& method)
     traits.exact_up_to = method.number("nodes");
     // One step is at the nearest fragment, whoever came first.
     if (traits.exact_up_to == 1) traits.any_order = traits.merge = Agreement::rounding;
+    return traits;
+}
+
+MethodTraits deep_shadow_traits(const ChosenMethod& method)
+{
+    MethodTraits traits;
+    traits.passes = 2;
+    traits.pass_names = {"visibility", "accumulation"};
+    traits.bytes_per_sample = 20;
+    traits.bytes_per_fragment = 24;
+    traits.bytes_per_fragment_and_sample = 16;
+    traits.bytes_besides = 12;
+    traits.bounded = false;
+    traits.any_order = Agreement::rounding;
+    traits.merge = Agreement::rounding;
+    traits.exact_up_to = 1;  // as what coincides does not hide one another
+    traits.within_inputs = method.value("correction") == "on";
     return traits;
 }
 
@@ -247,6 +265,23 @@ MethodRow adaptive_row()
          .traits = {},
          .verbs = adaptive_verbs,
          .traits_of = adaptive_traits});
+}
+
+MethodRow deep_shadow_map_row()
+{
+    return with_standard_traits(
+        {.id = "deep-shadow-map",
+         .title = "Deep shadow maps: visibility as straight pieces within a bound of the exact one",
+         .citation = "Lokovic and Veach. Deep Shadow Maps. SIGGRAPH 2000",
+         .continuum = {"always", "vertices of a visibility curve",
+                       "those go that the curve passes within the error",
+                       "the sum is scaled to total alpha; none with correction=off"},
+         .parameters = {{"error", "0|0.002|0.01|0.05", "0.01", "of the curve, at most"},
+                        {"correction", "on|off", "on",
+                         "the sum is made to add up to what all fragments cover"}},
+         .traits = {},
+         .verbs = deep_shadow_map_verbs,
+         .traits_of = deep_shadow_traits});
 }
 
 }  // namespace sheer

@@ -183,6 +183,7 @@ struct MethodTraits {
     int named_once = 0;
     // Of the store, a pixel.
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
+    int bytes_per_fragment_and_sample = 0;  // at most
     int bytes_of_tables = 0;                // of all stores together, at most
     bool bounded = true;                    // the store does not grow with the number of fragments
     Agreement any_order = Agreement::none;  // of the stores for every order of arrival
@@ -197,7 +198,7 @@ struct MethodTraits {
     double bytes_per_pixel(int samples, double fragments_per_pixel) const
     {
         return bytes_per_sample * samples + bytes_per_fragment * fragments_per_pixel +
-               bytes_besides;
+               bytes_per_fragment_and_sample * fragments_per_pixel * samples + bytes_besides;
     }
     std::string bytes_formula() const;  // in S, the samples, and N, the pixel's fragments
 };

@@ -25,11 +25,12 @@ MethodRow hybrid_row();
 MethodRow mlab_row();
 MethodRow z3_row();
 MethodRow adaptive_row();
+MethodRow deep_shadow_map_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 17> kTable = {{
+    static const std::array<MethodRow, 18> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -80,6 +81,7 @@ std::span<const MethodRow> method_table()
         mlab_row(),
         z3_row(),
         adaptive_row(),
+        deep_shadow_map_row(),
         {.id = "weighted-average",
          .title = "Weighted average: every layer counts alike",
          .citation = "Bavoil and Myers. Order Independent Transparency with Dual Depth Peeling. "

@@ -133,7 +133,7 @@ Rgba through_curve(std::span<const Fragment> fragments, const VisibilityCurve& c
     Rgba u;  // and U1
     double through = 1;
     for (const Fragment& f : fragments) {
-        const double weight = curve_value(curve, f.depth) * f.opacity;
+        const double weight = std::clamp(curve_value(curve, f.depth), 0.0, 1.0) * f.opacity;
         u.r += weight * f.color[0];
         u.g += weight * f.color[1];
         u.b += weight * f.color[2];

@@ -39,6 +39,7 @@ enum class CurveResolve {
     total,     // U + T backdrop
     corrected  // (1 - T) U / U1 + T backdrop, U1 the sum without c
 };
+// V(z) is taken as 0 below 0 and as 1 above 1.
 Rgba through_curve(std::span<const Fragment> fragments, const VisibilityCurve& curve,
                    CurveResolve resolve, Rgba backdrop);
 

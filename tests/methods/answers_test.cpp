@@ -149,13 +149,19 @@ double largest_error(const Setting& setting, const Plates& plates, const Colors&
     return most;
 }
 
+// deep_shadow_map_test.cpp judges curves that may be off.
+bool is_approximate(const ChosenMethod& method)
+{
+    return method.row->id == std::string("deep-shadow-map") && method.value("error") != "0";
+}
+
 // Calls check(setting, plates in perspective or not, random).
 template <class Check>
 void for_each_picture(int fragments, Check&& check)
 {
     unsigned number = 0;
     for (const ChosenMethod& method : every_method()) {
-        if (method.row->random) continue;
+        if (method.row->random || is_approximate(method)) continue;
         for (const SampleSet& set : sample_sets()) {
             for (const EyeSpace& eye : kEyes) {
                 SCOPED_TRACE(name_of(method) + ", S = " + std::to_string(set.count) +

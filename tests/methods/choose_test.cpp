@@ -21,7 +21,7 @@ TEST(Methods, ChoosingByText)
     EXPECT_EQ(message("exakt"),
               "method: there is no method 'exakt'; there are blend, sorted-blend, exact, "
               "depth-peeling, dual-depth-peeling, bucket-peeling, stochastic, "
-              "stratified-stochastic, k-buffer, hybrid, mlab, z3, adaptive, "
+              "stratified-stochastic, k-buffer, hybrid, mlab, z3, adaptive, deep-shadow-map, "
               "weighted-average, wboit, phenomenological");
     EXPECT_EQ(message("exact:k=3"), "method: exact has no parameter 'k'; it has none");
     EXPECT_EQ(message("exact:k"), "method: 'k' is not NAME=VALUE");

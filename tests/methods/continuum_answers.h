@@ -9,6 +9,7 @@
 
 #include "methods/method.h"
 #include "reference/bucket_peeling.h"
+#include "reference/deep_shadow.h"
 #include "reference/layered.h"
 #include "reference/z3.h"
 
@@ -66,10 +67,23 @@ inline Rgba bucket_answer(const ChosenMethod& method, std::span<const Fragment> 
 inline bool has_continuum_answer(const std::string& id)
 {
     for (const char* known : {"mlab", "z3", "k-buffer", "hybrid", "adaptive", "depth-peeling",
-                              "dual-depth-peeling", "bucket-peeling"}) {
+                              "dual-depth-peeling", "bucket-peeling", "deep-shadow-map"}) {
         if (id == known) return true;
     }
     return false;
+}
+
+// Of curves without an error of their own.
+inline Rgba deep_shadow_answer(const ChosenMethod& method, std::span<const Fragment> fragments,
+                               Rgba behind)
+{
+    using reference::CurveResolve;
+    const bool corrects = method.value("correction") == "on";
+    Rgba color =
+        reference::through_curve(fragments, reference::step_curve(fragments),
+                                 corrects ? CurveResolve::corrected : CurveResolve::total, behind);
+    color.a = reference::composite({fragments.begin(), fragments.end()}, behind).a;  // exact
+    return color;
 }
 
 // Of one sample; fragments' depths are floats.
@@ -84,6 +98,7 @@ inline Rgba continuum_answer(const ChosenMethod& method, std::span<const Fragmen
         return reference::dual_depth_peeling(fragments, method.number("peels"), behind);
     }
     if (id == "bucket-peeling") return bucket_answer(method, fragments, behind);
+    if (id == "deep-shadow-map") return deep_shadow_answer(method, fragments, behind);
     const int layers = method.number(id == "adaptive" ? "nodes" : "layers");
     if (id == "adaptive") {
         bool doubtful = false;

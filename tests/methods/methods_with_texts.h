@@ -56,6 +56,9 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "bucket-peeling:buckets=5:borders=adaptive",
     "bucket-peeling:buckets=4:borders=adaptive:peels=4096",
     "phenomenological",
+    "deep-shadow-map",
+    "deep-shadow-map:error=0:correction=off",
+    "deep-shadow-map:error=0.05",
 };
 
 }  // namespace sheer::test

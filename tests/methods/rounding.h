@@ -40,6 +40,8 @@
 // adaptive      Each term's T is a product as in `exact`, 2 n; the terms 3 and their sum n.
 // phenomeno-    As weighted average with T of its own: the mean of three products, 2 n + 4.
 //  logical
+// deep-shadow-  Without an error of its own: the same; the sums are up to n M, as what coincides
+//  map          does not hide itself. Corrected: 3 n + 3 in both of them, 1 - T, and 6 more.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -95,6 +97,10 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
     } else if (id == "phenomenological") {
         weights = 2 * kPhenomenologicalWeight;
         formula = weights + 2 * (n + 2) + 2 * (2 * n + 4) + 6;
+    } else if (id == "deep-shadow-map") {
+        const bool corrects = method.value("correction") == "on";
+        formula =
+            backdrop + (corrects ? 2 * (3 * n + 3) + 2 * n + 6 : (3 * n + 3) * std::max(n, 1.0));
     } else if (id == "stochastic") {
         const double passes = method.number("sample-passes");
         const bool corrects = method.value("correction") == "on";

@@ -46,6 +46,7 @@ struct Texts {
 #include "sheer/dual_depth_peeling.glsl"
 #include "sheer/bucket_peeling.glsl"
 #include "sheer/phenomenological.glsl"
+#include "sheer/deep_shadow_map.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -215,6 +216,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
     if (id == "bucket-peeling") return make_alone<L, BucketPeelingAlone>(lists, method);
     if (id == "phenomenological") return make_alone<L, PhenomenologicalAlone>(lists, method);
+    if (id == "deep-shadow-map") return make_alone<L, DeepShadowAlone>(lists, method);
     throw std::runtime_error(id + " has no text here");
 }
 

@@ -139,6 +139,11 @@ private:
             all.push_back({2, method.value("borders") == "adaptive" ? 1u : 0u});
             all.push_back({3, static_cast<std::uint32_t>(method.number("peels"))});
         }
+        if (id == "deep-shadow-map") {
+            const DeepShadowSettings settings = deep_shadow_settings(method);
+            all.push_back({1, std::bit_cast<std::uint32_t>(settings.error)});
+            all.push_back({2, settings.corrects ? 1u : 0u});
+        }
         if (id == "k-buffer") {
             const std::string& merge = method.value("merge");
             all.push_back({2, merge == "front" ? 0u : merge == "nearest-two" ? 1u : 2u});

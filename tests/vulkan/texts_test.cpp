@@ -54,7 +54,7 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
             tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
                     "stratified-stochastic", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
                     "depth-peeling", "dual-depth-peeling", "bucket-peeling", "phenomenological",
-                    "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
+                    "deep-shadow-map", "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
     }
 }
 
