@@ -14,9 +14,12 @@
 #include "cli/output.h"
 #include "cli/view_options.h"
 #include "compare/error_map.h"
+#include "compare/flip.h"
 #include "compare/metrics.h"
+#include "compare/ssim.h"
 #include "image/read_image.h"
 #include "image/write_image.h"
+#include "support/parallel.h"
 #include "support/text.h"
 
 namespace sheer {
@@ -25,13 +28,15 @@ namespace {
 
 struct DiffRequest {
     std::string a, b;
-    std::optional<std::string> error_map;
+    std::optional<std::string> error_map, flip_map;
     bool json = false;
 };
 
 struct DiffResult {
     int width = 0, height = 0;
     Difference difference;
+    std::optional<double> ssim;
+    double flip = 0;
     bool identical = false;
     double scale = 0;  // of the error map
 };
@@ -44,14 +49,15 @@ std::string at_pixel(int x, int y)
 // Whatever can be known to be wrong before the pictures are read.
 void check_request(const DiffRequest& request)
 {
-    if (!request.error_map) return;
-    check_image_path(*request.error_map);
-    for (const std::string& path : {request.a, request.b}) {
-        std::error_code none;
-        if (std::filesystem::equivalent(path, *request.error_map, none)) {
-            throw Error(Fault::input, *request.error_map +
-                                          ": is a picture to compare; the error "
-                                          "map would replace it");
+    for (const std::optional<std::string>& map : {request.error_map, request.flip_map}) {
+        if (!map) continue;
+        check_image_path(*map);
+        for (const std::string& path : {request.a, request.b}) {
+            std::error_code none;
+            if (std::filesystem::equivalent(path, *map, none)) {
+                throw Error(Fault::input,
+                            *map + ": is a picture to compare; the error map would replace it");
+            }
         }
     }
 }
@@ -75,11 +81,20 @@ DiffResult compare(const DiffRequest& request)
     }
     check_finite(request.a, a, b);
     check_finite(request.b, b, a);
-    DiffResult result{a.width, a.height, compare_images(a, b), same_bits(a, b), 0};
+    const int threads = hardware_threads();
+    const FlipErrors flip = flip_errors(a, b, threads);
+    DiffResult result{.width = a.width,
+                      .height = a.height,
+                      .difference = compare_images(a, b),
+                      .ssim = ssim(a, b, threads),
+                      .flip = flip.mean,
+                      .identical = same_bits(a, b),
+                      .scale = 0};
     if (request.error_map) {
         result.scale = error_scale(a, b);
         write_image(*request.error_map, error_map(a, b, result.scale));
     }
+    if (request.flip_map) write_image(*request.flip_map, error_map(flip));
     return result;
 }
 
@@ -92,12 +107,15 @@ Json diff_json(const DiffRequest& request, const DiffResult& result)
                  {"height", result.height},
                  {"rmse", d.rmse},
                  {"psnr", std::isfinite(d.psnr) ? Json(d.psnr) : Json()},
+                 {"ssim", result.ssim ? Json(*result.ssim) : Json()},
+                 {"flip", result.flip},
                  {"bias_mean", d.bias_mean},
                  {"largest", {{"value", d.largest}, {"x", d.largest_x}, {"y", d.largest_y}}},
                  {"identical", result.identical}};
     if (request.error_map) {
         json["error_map"] = {{"image", *request.error_map}, {"scale", result.scale}};
     }
+    if (request.flip_map) json["flip_map"] = {{"image", *request.flip_map}, {"scale", 1}};
     return json;
 }
 
@@ -124,6 +142,8 @@ std::string diff_text(const DiffRequest& request, const DiffResult& result)
         {"size", std::to_string(result.width) + "x" + std::to_string(result.height)},
         {"rmse", rounded(d.rmse)},
         {"psnr", std::isfinite(d.psnr) ? rounded(d.psnr) + " dB" : "infinite"},
+        {"ssim", result.ssim ? fixed(*result.ssim, 6) : "-"},
+        {"flip", rounded(result.flip)},
         {"bias mean", rounded(d.bias_mean[0]) + " red, " + rounded(d.bias_mean[1]) + " green, " +
                           rounded(d.bias_mean[2]) + " blue"},
         {"largest",
@@ -132,6 +152,9 @@ std::string diff_text(const DiffRequest& request, const DiffResult& result)
     if (request.error_map) {
         table.rows.push_back({"error map", one_line(*request.error_map) + ", black 0 to yellow " +
                                                rounded(result.scale)});
+    }
+    if (request.flip_map) {
+        table.rows.push_back({"flip map", one_line(*request.flip_map) + ", black 0 to yellow 1"});
     }
     return one_line(request.a) + " and " + one_line(request.b) + ": " + verdict(result) + "\n" +
            table.text();
@@ -152,6 +175,10 @@ std::string meaning_help()
         .rows = {
             {"  rmse", "root of the mean square of A - B over pixels and channels"},
             {"  psnr", "20 log10(255 / rmse); infinite, in JSON null, where rmse is 0"},
+            {"  ssim", "how alike structures are, 1 at the most (Wang and others 2004); of sRGB"},
+            {"", "encoded values; none of a picture smaller than 11x11"},
+            {"  flip", "what someone sees who flips between A and B, 0 to 1 (LDR-FLIP, Andersson"},
+            {"", "and others 2020); of the same"},
             {"  bias mean", "mean of A - B with its sign: above 0 where A is brighter"},
             {"  largest", "the largest difference of one channel, and its pixel X,Y from the top"},
             {"", "left, counted from 0"},
@@ -179,6 +206,8 @@ void add_diff_command(CLI::App& tool)
         ->option_text(" ");
     add_value(*command, "-o,--output", "ERRORMAP", "A picture of the differences, .exr or .png",
               [request](auto&, auto& text) { request->error_map = text; });
+    add_value(*command, "--flip-map", "FLIPMAP", "A picture of what flip sees, .exr or .png",
+              [request](auto&, auto& text) { request->flip_map = text; });
     command->add_flag("--json", request->json, "For programs")->disable_flag_override();
     command->footer(examples_help({"sheer diff blend.exr exact.exr",
                                    "sheer diff blend.png exact.png -o error.png",

@@ -23,6 +23,8 @@ Json row_json(const MetricsRow& row)
     json["rmse"] = s.rmse;
     json["rmse_same_s"] = s.rmse_same_s;
     json["psnr"] = std::isfinite(s.psnr) ? Json(s.psnr) : Json();
+    json["ssim"] = or_none(s.ssim);
+    json["flip"] = s.flip;
     json["bias"] = or_none(s.bias);
     json["bias_mean"] = s.bias_mean;
     json["noise"] = or_none(s.noise);
@@ -72,15 +74,15 @@ std::string csv_line(const std::vector<std::string>& cells)
 std::string metrics_table(const std::vector<MetricsRow>& rows)
 {
     TextTable table{.left = 1, .last_is_prose = false, .rows = {}};
-    table.rows.push_back({"method", "S", "rmse", "rmse same S", "psnr", "bias", "bias mean r", "g",
-                          "b", "noise", "x blend"});
+    table.rows.push_back({"method", "S", "rmse", "rmse same S", "psnr", "ssim", "flip", "bias",
+                          "bias mean r", "g", "b", "noise", "x blend"});
     for (const MetricsRow& row : rows) {
         const Scores& s = row.compared.scores;
-        table.rows.push_back({row.compared.method, std::to_string(row.compared.stats.samples),
-                              fixed(s.rmse, 3), fixed(s.rmse_same_s, 3), fixed(s.psnr, 2),
-                              fixed(or_none(s.bias), 3), fixed(s.bias_mean[0], 3),
-                              fixed(s.bias_mean[1], 3), fixed(s.bias_mean[2], 3),
-                              fixed(or_none(s.noise), 3), fixed(s.ratio_to_blend, 2)});
+        table.rows.push_back(
+            {row.compared.method, std::to_string(row.compared.stats.samples), fixed(s.rmse, 3),
+             fixed(s.rmse_same_s, 3), fixed(s.psnr, 2), fixed(or_none(s.ssim), 4), fixed(s.flip, 4),
+             fixed(or_none(s.bias), 3), fixed(s.bias_mean[0], 3), fixed(s.bias_mean[1], 3),
+             fixed(s.bias_mean[2], 3), fixed(or_none(s.noise), 3), fixed(s.ratio_to_blend, 2)});
     }
     return table.text();
 }

@@ -7,8 +7,11 @@
 
 #include <sheer/error.h>
 
+#include "compare/flip.h"
 #include "compare/metrics.h"
+#include "compare/ssim.h"
 #include "cpu/frame.h"
+#include "support/parallel.h"
 
 namespace sheer {
 
@@ -66,6 +69,8 @@ Scores score_picture(const Image& image, bool random, const Image& truth, const 
     Scores scores{.rmse = to_truth.rmse,
                   .rmse_same_s = to_exact.rmse,
                   .psnr = to_truth.psnr,
+                  .ssim = {},
+                  .flip = 0,
                   .bias = {},
                   .bias_mean = to_exact.bias_mean,
                   .noise = {},
@@ -83,6 +88,8 @@ Scores score_seeds(const Moments& moments, const Image& truth, const Image& exac
     return {.rmse = to_truth,
             .rmse_same_s = rmse(moments, exact),
             .psnr = psnr_of(to_truth),
+            .ssim = {},
+            .flip = 0,
             .bias = bias(moments, exact),
             .bias_mean = bias_mean(moments, exact),
             .noise = noise(moments),
@@ -115,6 +122,7 @@ std::vector<Compared> compare_methods(const Scene& scene, const View& view, cons
     FrameTakes made = render_takes(scene, view, options, {plan.takes, {}, request.reserved_memory});
     const TakeFrame& exact = made.frames[plan.exact];
     const double blend_ms = made.frames[plan.blend].stats.ms_total;
+    const int threads = options.threads > 0 ? options.threads : hardware_threads();
     std::vector<Compared> result;
     for (std::size_t i = 0; i < request.methods.size(); ++i) {
         const Place& place = plan.methods[i];
@@ -132,6 +140,8 @@ std::vector<Compared> compare_methods(const Scene& scene, const View& view, cons
         if (!std::isfinite(compared.scores.rmse)) {
             throw Error(Fault::work, request.methods[i] + ": its picture is not finite");
         }
+        compared.scores.ssim = ssim(picture.image, truth, threads);
+        compared.scores.flip = flip_errors(picture.image, truth, threads).mean;
         compared.scores.ratio_to_blend = picture.stats.ms_total / blend_ms;
         compared.image = is_last_use(plan, i) ? std::move(picture.image) : picture.image;
         result.push_back(std::move(compared));

@@ -17,6 +17,9 @@ struct Scores {
     double rmse_same_s =
         0;            // against `exact` with the same samples: edges are no fault of a method
     double psnr = 0;  // of rmse
+    // Of the sRGB encoded picture against the truth's; of random methods the first seed's.
+    std::optional<double> ssim;  // none of a picture smaller than its window
+    double flip = 0;
     // Against `exact` with the same samples, which is what a method without bias gives on average.
     std::optional<double> bias;         // unknown for a random method and one seed
     std::array<double, 3> bias_mean{};  // signed

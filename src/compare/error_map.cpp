@@ -96,6 +96,15 @@ Image error_map(const Image& a, const Image& b, double scale)
     return map;
 }
 
+Image error_map(const FlipErrors& flip)
+{
+    Image map(flip.width, flip.height);
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        map.pixels[i] = color_of(std::min(double{flip.errors[i]}, 1.0));
+    }
+    return map;
+}
+
 double error_scale(const Image& a, const Image& b)
 {
     check_sizes(a, b);

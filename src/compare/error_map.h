@@ -3,6 +3,8 @@
 
 #include <sheer/image.h>
 
+#include "compare/flip.h"
+
 namespace sheer {
 
 // A pixel's error is the root of the mean square, over red, green and blue, of its difference in
@@ -17,5 +19,8 @@ Image error_map(const Image& a, const Image& b, double scale);
 // A scale for that: 1, 2 or 5 times a power of ten, the least that leaves at most one in a thousand
 // of the differing pixels above it; 0 where none differs. Several maps share the largest of theirs.
 double error_scale(const Image& a, const Image& b);
+
+// The same colours for errors that were measured otherwise, as FLIP's from 0 to 1.
+Image error_map(const FlipErrors& flip);
 
 }  // namespace sheer

@@ -92,6 +92,14 @@ TEST(CliCompare, AgreesWithRenderAndDiff)
               0);
     EXPECT_EQ(read_image(tool.file("alone.exr")).pixels,
               read_image(tool.file("out/stochastic.s8.exr")).pixels);
+    // Of random methods the first seed's picture.
+    for (const char* method : {"weighted-average", "stochastic"}) {
+        const Outcome seen =
+            tool.run({"diff", "out/" + std::string(method) + ".s8.exr", "out/truth.exr", "--json"});
+        const Json& scores = row_of(metrics, method, 8);
+        EXPECT_EQ(Json::parse(seen.out)["flip"], scores["flip"]);
+        EXPECT_EQ(Json::parse(seen.out)["ssim"], scores["ssim"]);
+    }
     EXPECT_TRUE(row_of(metrics, "stochastic", 8)["noise"].is_null());
     EXPECT_TRUE(row_of(metrics, "stochastic", 8)["bias"].is_null());
 }

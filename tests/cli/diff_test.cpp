@@ -1,6 +1,7 @@
 // sheer diff: what it says of pictures whose difference is known, and what it refuses.
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <limits>
 #include <string>
@@ -10,6 +11,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
+#include "compare/slow_metrics.h"
+#include "image/color.h"
 #include "image/read_image.h"
 #include "image/write_image.h"
 
@@ -64,18 +67,28 @@ protected:
 // 20 log10(255 / (255 / 8)) = 18.06 dB.
 TEST_F(Diff, TellsPeople)
 {
+    const double flip =
+        test::SlowFlip().error(grey(4, 2, 0.625f), grey(4, 2, 0.5f), 0, 0);  // everywhere
+    char digits[16];
+    std::snprintf(digits, sizeof digits, "%.4g", flip);
     EXPECT_EQ(output_of({"diff", "b.exr", "a.exr"}),
               "b.exr and a.exr: not equal\n"
               "size       4x2\n"
               "rmse       31.88\n"
               "psnr       18.06 dB\n"
-              "bias mean  31.88 red, 31.88 green, 31.88 blue\n"
-              "largest    31.88 at 0,0\n");
+              "ssim       -\n"
+              "flip       " +
+                  std::string(digits) +
+                  "\n"
+                  "bias mean  31.88 red, 31.88 green, 31.88 blue\n"
+                  "largest    31.88 at 0,0\n");
     EXPECT_EQ(output_of({"diff", "a.exr", "a.exr"}),
               "a.exr and a.exr: identical\n"
               "size       4x2\n"
               "rmse       0\n"
               "psnr       infinite\n"
+              "ssim       -\n"
+              "flip       0\n"
               "bias mean  0 red, 0 green, 0 blue\n"
               "largest    0\n");
     const std::string alpha = output_of({"diff", "a.exr", "c.exr"});
@@ -108,6 +121,8 @@ TEST_F(Diff, TellsProgramsOfEqualPictures)
     const Json same = Json::parse(output_of({"diff", "a.exr", "a.exr", "--json"}));
     EXPECT_EQ(same.at("rmse"), 0);
     EXPECT_TRUE(same.at("psnr").is_null());
+    EXPECT_TRUE(same.at("ssim").is_null());
+    EXPECT_EQ(same.at("flip"), 0);
     EXPECT_EQ(same.at("identical"), true);
     const Json alpha = Json::parse(output_of({"diff", "a.exr", "c.exr", "--json"}));
     EXPECT_EQ(alpha.at("rmse"), 0);
@@ -195,6 +210,25 @@ TEST_F(Diff, ReportsOutputThatTakesNothing)
     EXPECT_FALSE(fs::exists(tool_.file("map.exr")));
 }
 
+TEST_F(Diff, DrawsWhatFlipSees)
+{
+    write_image(tool_.file("black.exr"), grey(12, 11, 0));
+    write_image(tool_.file("white.exr"), grey(12, 11, 1));
+    const Words words = {"diff", "white.exr", "black.exr", "--flip-map", "map.exr"};
+    EXPECT_NE(output_of(words).find("\nflip map   map.exr, black 0 to yellow 1\n"),
+              std::string::npos);
+    // 0.96739 everywhere: 0.51 of the way from the map's last colour but one, (253, 222, 160), to
+    // the last, (252, 253, 191).
+    EXPECT_NEAR(srgb_from_linear(read_image(tool_.file("map.exr")).at(5, 5)[2]) * 255,
+                160 + 31 * (0.96739 * 15 - 14), 0.05);
+    const Json json = Json::parse(output_of({"diff", "white.exr", "black.exr", "--json"}));
+    EXPECT_NEAR(json.at("flip").get<double>(), 0.9673883, 1e-4);  // as FLIP's authors' program
+    // 11 x 11 windows of 1 and 0: C1 / (1 + C1).
+    EXPECT_NEAR(json.at("ssim").get<double>(), 1e-4 / 1.0001, 1e-12);
+    expect_refused({"diff", "a.exr", "b.exr", "--flip-map", "b.exr"},
+                   "b.exr: is a picture to compare; the error map would replace it");
+}
+
 TEST_F(Diff, ShowsNoControlCharacters)
 {
     fs::copy(tool_.file("a.exr"), tool_.file("a\x1b[31m.exr"));
@@ -204,8 +238,9 @@ TEST_F(Diff, ShowsNoControlCharacters)
 TEST_F(Diff, Helps)
 {
     const std::string help = output_of({"diff", "--help"});
-    for (const char* part : {"Examples:\n  sheer diff ", "  rmse ", "  psnr ", "  bias mean ",
-                             "  largest ", "  identical ", "  error map ", "exit code is 0"}) {
+    for (const char* part :
+         {"Examples:\n  sheer diff ", "  rmse ", "  psnr ", "  ssim ", "  flip ", "  bias mean ",
+          "  largest ", "  identical ", "  error map ", "exit code is 0"}) {
         EXPECT_NE(help.find(part), std::string::npos) << part;
     }
 }
