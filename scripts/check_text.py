@@ -10,8 +10,8 @@ from pathlib import Path
 
 MOST_LINES = 400  # CONTRIBUTING.md asks for 300; above this a file is to be split
 MOST_COLUMNS = 100
-FOLDERS = ["src", "include", "tests", "bench", "shaders", "examples"]
-SUFFIXES = {".cpp", ".h", ".glsl", ".comp", ".vert", ".frag"}
+FOLDERS = ["src", "include", "tests", "bench", "shaders", "examples", "web/report"]
+SUFFIXES = {".cpp", ".h", ".glsl", ".comp", ".vert", ".frag", ".js", ".mjs", ".css"}
 
 
 def faults_in(path):

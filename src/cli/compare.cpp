@@ -6,7 +6,9 @@
 
 #include <sheer/sheer.h>
 
+#include "cli/command_words.h"
 #include "cli/commands.h"
+#include "cli/compare_report.h"
 #include "cli/folder.h"
 #include "cli/help_text.h"
 #include "cli/metrics_report.h"
@@ -36,6 +38,8 @@ struct CompareRequest {
     std::vector<int> samples = {8};
     int seeds = 8;
     bool json = false;
+    std::string command;                    // as it was given
+    std::vector<std::string> shared_words;  // of it, what `render` takes too
 };
 
 // A method or a number of samples that is asked for twice is drawn once.
@@ -82,7 +86,8 @@ std::string file_stem(const Compared& compared)
 // Whatever can't be written is to be known before the work.
 void check_folder(const CompareRequest& request)
 {
-    std::vector<std::string> names = {"metrics.json", "metrics.csv", "truth.exr", "truth.png"};
+    std::vector<std::string> names = {"metrics.json", "metrics.csv", "report.html", "truth.exr",
+                                      "truth.png"};
     for (const std::string& method : request.methods) {
         for (const int samples : request.samples) {
             const std::string stem = file_stem(method, samples);
@@ -106,10 +111,12 @@ std::uint64_t picture_bytes(const View& view)
 }
 
 // Pictures that are held besides those in the making: the truth, those that are kept for error
-// maps, and what measuring, drawing and encoding an error map take.
+// maps, and what measuring, drawing and encoding an error map take. In the report each is a PNG and
+// so is its error map, at most 3 bytes a pixel, in base64, twice: as data and as text. That is one
+// more of 16 bytes.
 std::size_t pictures_besides(const CompareRequest& request)
 {
-    return 1 + request.methods.size() * request.samples.size() + 4;
+    return 2 * (1 + request.methods.size() * request.samples.size()) + 4;
 }
 
 Result compare_all(const Scene& scene, CompareRequest& request)
@@ -181,10 +188,18 @@ void run_compare(CompareRequest request)
         {"results", metrics_json(rows)}};
     write_text(request.folder + "/metrics.csv", metrics_csv(rows));
     write_text(request.folder + "/metrics.json", json_text(json));
+    write_text(request.folder + "/report.html",
+               compare_html({.scene = request.scene.source,
+                             .command = request.command,
+                             .shared_words = request.shared_words,
+                             .truth = result.truth,
+                             .truth_samples = truth_samples(request.given.view),
+                             .scale = scale,
+                             .rows = rows}));
     print(request.json ? json_text(json)
                        : metrics_table(rows) + "\n" + one_line(request.folder) +
-                             ": metrics.json, metrics.csv, pictures, error maps (black 0 to "
-                             "yellow " +
+                             ": report.html, metrics.json, metrics.csv, pictures, error maps "
+                             "(black 0 to yellow " +
                              fixed(scale, scale < 1 ? 3 : 0) + ")\n");
 }
 
@@ -239,7 +254,13 @@ void add_compare_command(CLI::App& tool)
          "sheer compare scene.glb -o out --opacity 'Glass*=0.5' --mask-as-blend"});
     command->footer(std::string(kMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
                     scenes_help());
-    command->callback([request] { run_compare(*request); });
+    command->callback([request, command] {
+        const auto words = given_words(*command, {});
+        request->command = "sheer compare " + shell_line(words);
+        request->shared_words =
+            given_words(*command, {"--output", "--methods", "--samples", "--seeds", "--json"});
+        run_compare(*request);
+    });
 }
 
 }  // namespace sheer

@@ -96,6 +96,11 @@ Image error_map(const Image& a, const Image& b, double scale)
     return map;
 }
 
+std::span<const std::array<double, 3>> error_colors()
+{
+    return kMagma;
+}
+
 Image error_map(const FlipErrors& flip)
 {
     Image map(flip.width, flip.height);

@@ -1,6 +1,9 @@
 // Pictures of where two pictures differ.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include <sheer/image.h>
 
 #include "compare/flip.h"
@@ -15,6 +18,9 @@ namespace sheer {
 // picture is linear, as all are: written as PNG it holds the sRGB colours of the table. Throws
 // Error(Fault::input) where the sizes differ.
 Image error_map(const Image& a, const Image& b, double scale);
+
+// The map's colours at equal steps from 0 to `scale`, straight lines between them: sRGB, 0 to 255.
+std::span<const std::array<double, 3>> error_colors();
 
 // A scale for that: 1, 2 or 5 times a power of ten, the least that leaves at most one in a thousand
 // of the differing pixels above it; 0 where none differs. Several maps share the largest of theirs.
