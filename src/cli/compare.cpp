@@ -18,6 +18,7 @@
 #include "cli/view_options.h"
 #include "compare/comparison.h"
 #include "compare/error_map.h"
+#include "compare/probes.h"
 #include "compare/truth.h"
 #include "image/write_image.h"
 #include "methods/method.h"
@@ -29,6 +30,9 @@
 namespace sheer {
 
 namespace {
+
+// Pixels of which the report shows each layer.
+constexpr int kProbes = 300;
 
 struct CompareRequest {
     SceneOptions scene;
@@ -102,6 +106,7 @@ void check_folder(const CompareRequest& request)
 struct Result {
     Image truth;
     std::vector<Compared> all;
+    std::vector<Probe> probes;
 };
 
 std::uint64_t picture_bytes(const View& view)
@@ -128,10 +133,12 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     Options options = request.given.options;
     options.progress = [&](double part) { bar.update(part * kTruthPasses / parts); };
     const std::uint64_t one = picture_bytes(request.given.view);
-    const ComparisonRequest comparison{request.methods, request.seeds,
-                                       pictures_besides(request) * one};
+    Probes probes(request.given.view.width, request.given.view.height, kProbes);
+    ComparisonRequest comparison{request.methods, request.seeds, pictures_besides(request) * one,
+                                 &probes};
     Result result{render_truth(scene, request.given.view, options, kTruthPasses,
                                comparison.reserved_memory + pictures_at_once(comparison) * one),
+                  {},
                   {}};
     if (options.memory_limit != 0) release_free_memory();
     done = kTruthPasses;
@@ -142,7 +149,9 @@ Result compare_all(const Scene& scene, CompareRequest& request)
         if (options.memory_limit != 0) release_free_memory();
         std::move(some.begin(), some.end(), std::back_inserter(result.all));
         done += 1;
+        comparison.sink = nullptr;  // the first samples are enough
     }
+    result.probes = probes.results();
     return result;
 }
 
@@ -195,7 +204,8 @@ void run_compare(CompareRequest request)
                              .truth = result.truth,
                              .truth_samples = truth_samples(request.given.view),
                              .scale = scale,
-                             .rows = rows}));
+                             .rows = rows,
+                             .probes = result.probes}));
     print(request.json ? json_text(json)
                        : metrics_table(rows) + "\n" + one_line(request.folder) +
                              ": report.html, metrics.json, metrics.csv, pictures, error maps "

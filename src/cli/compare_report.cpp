@@ -1,9 +1,12 @@
 // The data of the page: rows as in metrics.json, pictures as PNG, and a command for each.
 #include "cli/compare_report.h"
 
+#include <charconv>
+
 #include "cli/command_words.h"
 #include "compare/error_map.h"
 #include "compare/report/report.h"
+#include "image/color.h"
 #include "image/png.h"
 
 namespace sheer {
@@ -21,6 +24,36 @@ std::string render_command(const CompareReport& report, const MetricsRow& row)
         words.push_back(word);
     }
     return shell_line(words);
+}
+
+// Five digits are more than a chart shows.
+double short_number(double value)
+{
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::general, 5);
+    double result = 0;
+    std::from_chars(text, end.ptr, result);
+    return result;
+}
+
+// [[x, y, [[depth, behind, opacity, coverage, sRGB red, green, blue], ...]], ...]
+Json probes_json(const std::vector<Probe>& probes)
+{
+    Json json = Json::array();
+    for (const Probe& probe : probes) {
+        Json steps = Json::array();
+        for (const ProbeStep& step : probe.steps) {
+            Json numbers = Json::array();
+            for (const double value :
+                 {double{step.depth}, step.behind, double{step.opacity}, double{step.coverage}}) {
+                numbers.push_back(short_number(value));
+            }
+            for (const float channel : step.color) numbers.push_back(srgb8_from_linear(channel));
+            steps.push_back(numbers);
+        }
+        json.push_back(Json::array({probe.x, probe.y, steps}));
+    }
+    return json;
 }
 
 }  // namespace
@@ -49,6 +82,7 @@ std::string compare_html(const CompareReport& report)
                           {"picture", png_address(encode_png(report.truth))}}},
                         {"error_map_scale", report.scale},
                         {"colors", colors},
+                        {"probes", probes_json(report.probes)},
                         {"results", results}});
 }
 

@@ -7,6 +7,7 @@
 #include <sheer/image.h>
 
 #include "cli/metrics_report.h"
+#include "compare/probes.h"
 
 namespace sheer {
 
@@ -18,6 +19,7 @@ struct CompareReport {
     int truth_samples;
     double scale;  // of the error maps
     const std::vector<MetricsRow>& rows;
+    const std::vector<Probe>& probes;
 };
 
 std::string compare_html(const CompareReport& report);

@@ -119,7 +119,9 @@ std::vector<Compared> compare_methods(const Scene& scene, const View& view, cons
                                       const ComparisonRequest& request, const Image& truth)
 {
     const Plan plan = make_plan(options, request);
-    FrameTakes made = render_takes(scene, view, options, {plan.takes, {}, request.reserved_memory});
+    FrameTakes made = render_takes(
+        scene, view, options,
+        {.takes = plan.takes, .reserved_memory = request.reserved_memory, .sink = request.sink});
     const TakeFrame& exact = made.frames[plan.exact];
     const double blend_ms = made.frames[plan.blend].stats.ms_total;
     const int threads = options.threads > 0 ? options.threads : hardware_threads();

@@ -11,6 +11,8 @@
 
 namespace sheer {
 
+class FragmentSink;
+
 // Errors are in linear colour times 255, over pixels, red, green and blue (compare/metrics.h).
 struct Scores {
     double rmse = 0;  // against the truth; of random methods over the seeds
@@ -39,6 +41,7 @@ struct ComparisonRequest {
     std::vector<std::string> methods;   // ID[:NAME=VALUE]...
     int seeds = 8;                      // of random methods: options.seed and those after it
     std::uint64_t reserved_memory = 0;  // of options.memory_limit: what the caller needs besides
+    FragmentSink* sink = nullptr;       // takes the transparent fragments too
 };
 
 // What compare_methods makes at once, in pictures of the view's size: the most of it.

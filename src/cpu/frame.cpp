@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cpu/draw_take.h"
+#include "cpu/fragment_sink.h"
 #include "cpu/frame_job.h"
 #include "cpu/frame_memory.h"
 #include "cpu/frame_stats.h"
@@ -71,11 +72,16 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
             draw_take(job, take, setting, worker, result.frames[take]);
         }
     }
+    const ChannelShape shape{job.samples.count, job.grid.width, job.eye};
+    const PixelRect interior = job.grid.interior(tile);
+    if (job.sink != nullptr) {
+        worker.passes.visit(
+            setting, [&](const FragmentStream& s) { job.sink->take(rect, interior, shape, s); });
+    }
     if (!result.channels) return;
     worker.channels.clear();
     worker.passes.visit(setting, [&](const FragmentStream& s) { worker.channels.add(s); });
-    worker.channels.write(rect, job.grid.interior(tile),
-                          {job.samples.count, job.grid.width, job.eye}, *result.channels);
+    worker.channels.write(rect, interior, shape, *result.channels);
 }
 
 FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
@@ -191,7 +197,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
                  {},
                  tile_fragments_for(targets),
                  0,
-                 0};
+                 0,
+                 request.sink};
     for (const Take& take : takes) {
         const MethodRow& row = *take.method.row;
         const bool colored = surfaces.any_colored && row.colored_verbs != nullptr;

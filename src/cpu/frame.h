@@ -12,6 +12,8 @@
 
 namespace sheer {
 
+class FragmentSink;
+
 // A picture to be made over fragments that others are made over too.
 struct Take {
     ChosenMethod method;
@@ -60,6 +62,7 @@ struct TakesRequest {
     // Of the options' seed, whose random shadows they all have; and of how many frames, which are
     // one picture.
     int shadow_frame = 0, shadow_frames = 1;
+    FragmentSink* sink = nullptr;  // takes the transparent fragments too
 };
 
 // The pictures of the takes; options.method and accumulate are not looked at, and the seed is only

@@ -28,6 +28,7 @@ struct FrameJob {
     TileFragmentsFunction tile_fragments;
     int stream_capacity;
     std::size_t store_bytes;  // for a store that grows
+    FragmentSink* sink;       // or null
 };
 
 // What one thread works with, tile after tile.

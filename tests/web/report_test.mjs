@@ -175,6 +175,17 @@ const tests = {
     assert.equal(await page.inputValue('#pixel-y'), '9');
   },
 
+  // Two layers of opacity 0.45 everywhere, at depths 1 and 2.
+  async 'shows the layers of a pixel'({page}) {
+    const title = await page.textContent('#probe-title');
+    assert.match(title, /: 2 transparent fragments let 30\.[23] %/);
+    const rows = await page.$$eval('#layers tbody tr', (all) => all.map(
+        (tr) => [...tr.cells].slice(1).map((cell) => Number(cell.textContent))));
+    assert.deepEqual(rows, [[1, 0.45, 1, 0.55], [2, 0.45, 1, 0.3025]]);
+    const steps = await page.evaluate(() => layers.chart.data.datasets[0].data.map((p) => p.y));
+    assert.deepEqual(steps, [1, 0.55, 0.3025, 0.3025]);
+  },
+
   async 'flips between two pictures'({page}) {
     await page.click('#mode input[value=flicker]');
     const shown = () => page.$eval('#stage img:not([hidden])', (image) => image.dataset.side);

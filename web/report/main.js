@@ -114,5 +114,6 @@ viewer.a = (data.results.find((row) => row.method === 'blend') || data.results[0
 startPlot(pick);
 startViewer();
 startTable(pick);
+startLayers();
 drawStage();
 markRows();

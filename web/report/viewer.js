@@ -166,6 +166,7 @@ function choosePixel(x, y) {
   viewer.y = Math.min(Math.max(Math.floor(y), 0), data.height - 1);
   moveMarkers();
   showPixel();
+  drawLayers();
 }
 
 function choosePixelAt(event) {

@@ -1,0 +1,53 @@
+// What a grid of pixels sees: how much light is left behind each of its fragments.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "cpu/fragment_sink.h"
+
+namespace sheer {
+
+// One transparent fragment in a pixel's centre.
+struct ProbeStep {
+    float depth;                 // distance from the eye along the view
+    float opacity;               // where it covers
+    float coverage;              // part of the pixel's samples
+    std::array<float, 3> color;  // straight, linear
+    double behind = 1;           // transmittance behind it, the mean over samples
+};
+
+struct Probe {
+    int x, y;
+    std::vector<ProbeStep> steps;  // near to far
+};
+
+// About `most` pixels of the picture at equal distances; the same at any number of threads.
+class Probes : public FragmentSink {
+public:
+    Probes(int width, int height, int most);
+
+    void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
+              const FragmentStream& stream) override;
+
+    // Once the frame is done.
+    std::vector<Probe> results() const;
+
+    int spacing() const { return spacing_; }
+
+private:
+    struct Kept {
+        float depth;  // as fragments have it
+        std::uint32_t primitive;
+        std::uint64_t samples;
+        ProbeStep step;
+    };
+
+    int spacing_, first_, columns_, rows_;
+    std::vector<std::vector<Kept>> kept_;
+    std::vector<int> samples_;  // of a pixel
+};
+
+}  // namespace sheer
