@@ -69,6 +69,7 @@ struct ChosenMethod {
     const std::string& value(std::string_view parameter) const;  // of one that the row has
     std::string parameters_text() const;                         // NAME=VALUE:NAME=VALUE
     int number(std::string_view parameter) const;                // of whole numbers
+    double real(std::string_view parameter) const;               // of real ones
     MethodTraits traits() const;                                 // with these values
 };
 
@@ -170,7 +171,8 @@ enum class Submission {
 
 struct Parameter {
     const char* name;
-    const char* values;  // "a|b|c", or "least..most" for whole numbers
+    // "a|b|c", of which any may be "least..most", for whole numbers, or with points for real ones.
+    const char* values;
     const char* standard;
     const char* what;
 };
