@@ -10,7 +10,6 @@ StoreVerbs blend_verbs(TargetSet targets, const ChosenMethod& method, int sample
 StoreVerbs exact_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs exact_colored_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method, int samples);
-StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
@@ -21,11 +20,13 @@ MethodRow hybrid_row();
 MethodRow mlab_row();
 MethodRow z3_row();
 MethodRow adaptive_row();
+MethodRow wboit_row();
+MethodRow moment_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 15> kTable = {{
+    static const std::array<MethodRow, 16> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -78,15 +79,8 @@ std::span<const MethodRow> method_table()
          .traits =
              {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
          .verbs = weighted_average_verbs},
-        {.id = "wboit",
-         .title = "Weighted blended: weights that fall with distance",
-         .citation = "McGuire and Bavoil. Weighted Blended Order-Independent Transparency. "
-                     "JCGT 2(2), 2013",
-         .parameters = {{"weight", "eq7|eq8|eq9|eq10|uniform", "eq9",
-                         "the paper's equation, in metres from the eye, or none"}},
-         .traits =
-             {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
-         .verbs = wboit_verbs},
+        wboit_row(),
+        moment_row(),
     }};
     return kTable;
 }

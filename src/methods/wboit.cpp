@@ -10,6 +10,7 @@
 
 #include <hwy/foreach_target.h>
 
+#include "methods/depth_range.h"
 #include "methods/samples-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -20,6 +21,8 @@ struct WboitText {
 #include "lanes/text_words.h"
 #include "sheer/over.glsl"
 #include "sheer/wboit.glsl"
+#include "sheer/exponential.glsl"
+#include "sheer/transmittance.glsl"
 };
 
 template <int S>
@@ -59,19 +62,24 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
     using Block = Lanes<16>;  // of fragments
 
     int equation;
+    bool scaled;  // the range of depths to what is drawn
     EyeSpace eye;
+    DepthRange range;
     AlignedArray<float> weights;  // of the stream's fragments
 
     explicit WboitTile(const StoreShape& shape)
         : Base(shape),
           equation(equation_of(shape.method->value("weight"))),
+          scaled(shape.method->value("weight") == "range"),
           eye(shape.eye),
+          range(depth_range(shape.eye, true)),
           weights(shape.stream_capacity + FragmentStream::kSlack)
     {
     }
 
     static int equation_of(const std::string& weight)
     {
+        if (weight == "range") return 10;
         return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
     }
 
@@ -95,11 +103,21 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
                 const Real at_center = Real::load(f.depth.data() + i);
                 const Real depth = Block::min(Block::max(at_center, least), most);
                 const Real z = eye.orthographic ? depth : Real(-1.0f) / depth;
-                WboitText<Block>::wboit_weight(equation, z, buffer_depth(z),
-                                               Real::load(f.opacity.data() + i))
+                const Real d = scaled ? place_in_range(depth) : buffer_depth(z);
+                WboitText<Block>::wboit_weight(equation, z, d, Real::load(f.opacity.data() + i))
                     .store(weights.data() + i);
             }
         }
+    }
+
+    // From 0 to 1 over what is drawn, by the logarithm of distance.
+    template <class Real>
+    HWY_INLINE Real place_in_range(Real depth) const
+    {
+        const Real half(0.5f);
+        return half * WboitText<Block>::warped_depth(range.is_distance, depth, Real(range.from),
+                                                     Real(range.scale)) +
+               half;
     }
 
     // What a depth buffer between znear and zfar has at distance z, or one without an end.

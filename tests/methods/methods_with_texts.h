@@ -16,6 +16,7 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "wboit:weight=eq9",
     "wboit:weight=eq10",
     "wboit:weight=uniform",
+    "wboit:weight=range",
     "stochastic:masks=stratified:seed-by=primitive",
     "stochastic:masks=stratified:seed-by=object",
     "stochastic:masks=stratified:seed-by=depth",
@@ -50,6 +51,27 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "depth-peeling:peels=3",
     "dual-depth-peeling",
     "dual-depth-peeling:peels=2",
+    "moment",
+    "moment:overestimation=0",
+    "moment:overestimation=adaptive:moment-passes=2",
+    "moment:format=fp16",
+    "moment:format=unorm16:moment-passes=2",
+    "moment:format=nlqm",
 };
+
+// Of texts whose optical depths come from the bits of floats, there are no others.
+inline bool is_of_floats_only(const std::string& method)
+{
+    for (const char* id : {"moment"}) {
+        if (method.starts_with(id)) return true;
+    }
+    return false;
+}
+
+// Theirs are long, too: those with other parameters than the standard are run on some lists only.
+inline bool is_variant_of_long(const std::string& method)
+{
+    return is_of_floats_only(method) && method.find(':') != std::string::npos;
+}
 
 }  // namespace sheer::test

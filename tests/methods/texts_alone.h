@@ -7,12 +7,14 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "methods/fragment_lists.h"
 #include "methods/layered_alone.h"
 #include "methods/stratified_alone.h"
+#include "methods/transmittance_alone.h"
 #include "lanes/lone.h"
 
 namespace sheer::test {
@@ -123,6 +125,7 @@ struct WeightedAverageAlone : MethodAlone<L> {
 inline int wboit_equation(const ChosenMethod& method)
 {
     const std::string& weight = method.value("weight");
+    if (weight == "range") return 10;
     return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
 }
 
@@ -139,16 +142,19 @@ struct WboitAlone : MethodAlone<L> {
         const EyeSpace& eye = this->lists.eye;
         const float depth = std::min(std::max(f.center, f.least), f.most);
         const float z = eye.orthographic ? depth : -1.0f / depth;
-        const auto weight = T::wboit_weight(equation, typename L::real(z),
-                                            typename L::real(in_buffer(z)), this->opacity(i));
+        const bool scaled = this->method.value("weight") == "range";
+        const float d = scaled ? 0.5f * place_in(this->lists, f) + 0.5f : in_buffer(z);
+        const auto weight =
+            T::wboit_weight(equation, typename L::real(z), typename L::real(d), this->opacity(i));
         return T::wboit_insert(s, this->lists.covers(i, at), this->color(i), this->opacity(i),
                                weight);
     }
     // Distance z as a depth buffer between znear and zfar has it.
     float in_buffer(float z) const
     {
-        const auto [orthographic, near, far] = this->lists.eye;
-        if (orthographic) return far > near ? (z - near) / (far - near) : 0.0f;
+        const EyeSpace& eye = this->lists.eye;
+        const float near = eye.znear, far = eye.zfar;
+        if (eye.orthographic) return far > near ? (z - near) / (far - near) : 0.0f;
         return far > 0 ? (near * far / z - far) / (near - far) : 1.0f - near / z;
     }
     static auto resolve(Store s, typename T::real3 behind) { return T::wboit_resolve(s, behind); }
@@ -355,6 +361,11 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
     if (id == "depth-peeling") return make_alone<L, DepthPeelingAlone>(lists, method);
     if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
+    if constexpr (std::is_same_v<L, Lone<float>>) {
+        if (transmittance_function(method) != nullptr) {
+            return make_alone<L, TransmittanceAlone>(lists, method);
+        }
+    }
     throw std::runtime_error(id + " has no text here");
 }
 

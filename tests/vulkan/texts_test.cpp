@@ -53,6 +53,9 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
         expect_same_bits(tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
                                  "stratified-stochastic", "mlab", "z3", "k-buffer", "hybrid",
                                  "adaptive", "depth-peeling", "dual-depth-peeling"});
+        // Long texts, whose samples have nothing to do with one another.
+        if (samples > 4) continue;
+        expect_same_bits(tiles, {"moment"});
     }
 }
 

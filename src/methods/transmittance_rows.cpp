@@ -1,0 +1,104 @@
+// The rows of the methods that approximate transmittance as a function of depth, and of the one
+// whose weights of depth they improve on.
+#include "methods/method.h"
+#include "methods/moment_settings.h"
+
+namespace sheer {
+
+StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+
+namespace {
+
+constexpr Parameter kRange = {
+    "range", "drawn|planes", "drawn",
+    "where depth goes from near to far: over what is transparent, or between the camera's planes"};
+
+constexpr Parameter kStore = {
+    "store", "sample|pixel", "sample",
+    "a function for each sample, or one for each pixel, of which fragments take the part that they "
+    "cover"};
+
+// `sums` of exact numbers and `state` of floats.
+MethodTraits transmittance_traits(int moment_passes, int sums, int state, bool of_pixels = false)
+{
+    MethodTraits traits;
+    traits.divides = of_pixels;
+    traits.passes = moment_passes + 2;
+    traits.pass_names = {"opaque"};
+    for (int i = 0; i < moment_passes; ++i) traits.pass_names.push_back("moments");
+    traits.pass_names.push_back("accumulation");
+    const int function = 8 * sums + 4 * state;
+    traits.bytes_per_sample = (traits.divides ? 8 : function + 8) + 20;
+    traits.bytes_besides = 1 + (traits.divides ? function : 0);
+    traits.any_order = Agreement::bits;
+    traits.merge = Agreement::bits;
+    traits.exact_up_to = 1;
+    traits.measures_depth = true;
+    return traits;
+}
+
+// The paper's table 1: colour in four halves and total alpha in a float; four moments and their
+// weight in floats, written; as many halves where the format that is read is another.
+MethodTraits moment_traits(const ChosenMethod& method)
+{
+    const MomentSettings settings = moment_settings(method);
+    MethodTraits traits =
+        transmittance_traits(settings.passes, 5, 5, method.value("store") == "pixel");
+    traits.texture_bytes = 12 + settings.passes * 20;
+    if (settings.format != MomentFormat::fp32) traits.texture_bytes += settings.passes * 10;
+    return traits;
+}
+
+MethodTraits wboit_traits(const ChosenMethod& method)
+{
+    MethodTraits traits;
+    traits.bytes_per_sample = 20;
+    traits.texture_bytes = 12;
+    traits.any_order = traits.merge = Agreement::rounding;
+    traits.exact_up_to = 1;
+    traits.measures_depth = method.value("weight") == "range";
+    return traits;
+}
+
+}  // namespace
+
+MethodRow moment_row()
+{
+    return with_standard_traits(
+        {.id = "moment",
+         .title = "Moment transparency: transmittance from four moments of optical depth",
+         .citation = "Sharpe. Moment Transparency. HPG 2018",
+         .parameters =
+             {{"overestimation", "0.0..1.0|adaptive", "0.25",
+               "between the least and the most that may lie before a fragment; adaptive: less "
+               "where "
+               "there are few (an experiment)"},
+              {"format", "fp32|fp16|unorm16|nlqm", "fp32",
+               "of what fragments read; nlqm: non-linearly quantised moments (Peters. HPG 2017)"},
+              {"moment-passes", "1|2", "1",
+               "2: the second moments are of what the first let be seen"},
+              kRange,
+              kStore},
+         .traits = {},
+         .verbs = moment_verbs,
+         .traits_of = moment_traits});
+}
+
+MethodRow wboit_row()
+{
+    return with_standard_traits(
+        {.id = "wboit",
+         .title = "Weighted blended: weights that fall with distance",
+         .citation = "McGuire and Bavoil. Weighted Blended Order-Independent Transparency. "
+                     "JCGT 2(2), 2013",
+         .parameters =
+             {{"weight", "eq7|eq8|eq9|eq10|uniform|range", "eq9",
+               "the paper's equation, in metres from the eye, or none; range: equation 10 "
+               "with depth from 0 to 1 over what is transparent, by the logarithm"}},
+         .traits = {},
+         .verbs = wboit_verbs,
+         .traits_of = wboit_traits});
+}
+
+}  // namespace sheer
