@@ -22,11 +22,12 @@ MethodRow z3_row();
 MethodRow adaptive_row();
 MethodRow wboit_row();
 MethodRow moment_row();
+MethodRow mboit_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 16> kTable = {{
+    static const std::array<MethodRow, 17> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -81,6 +82,7 @@ std::span<const MethodRow> method_table()
          .verbs = weighted_average_verbs},
         wboit_row(),
         moment_row(),
+        mboit_row(),
     }};
     return kTable;
 }

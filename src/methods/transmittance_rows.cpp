@@ -6,6 +6,7 @@
 namespace sheer {
 
 StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs mboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 
 namespace {
@@ -13,6 +14,10 @@ namespace {
 constexpr Parameter kRange = {
     "range", "drawn|planes", "drawn",
     "where depth goes from near to far: over what is transparent, or between the camera's planes"};
+
+constexpr Parameter kOverestimation = {
+    "overestimation", "0.0..1.0", "0.25",
+    "between the least and the most that may lie before a fragment"};
 
 constexpr Parameter kStore = {
     "store", "sample|pixel", "sample",
@@ -47,6 +52,17 @@ MethodTraits moment_traits(const ChosenMethod& method)
         transmittance_traits(settings.passes, 5, 5, method.value("store") == "pixel");
     traits.texture_bytes = 12 + settings.passes * 20;
     if (settings.format != MomentFormat::fp32) traits.texture_bytes += settings.passes * 10;
+    return traits;
+}
+
+// Colour as above; the numbers in floats, and where they are rounded to 16 bits their weight still.
+MethodTraits mboit_traits(const ChosenMethod& method)
+{
+    const int moments = method.number("moments"), half = moments / 2;
+    const bool trigonometric = method.value("basis") == "trigonometric";
+    MethodTraits traits =
+        transmittance_traits(1, moments + 1, trigonometric ? 4 * half + 2 : 3 * half + 1);
+    traits.texture_bytes = 8 + 4 + moments * (method.value("format") == "fp32" ? 4 : 2);
     return traits;
 }
 
@@ -99,6 +115,24 @@ MethodRow wboit_row()
          .traits = {},
          .verbs = wboit_verbs,
          .traits_of = wboit_traits});
+}
+
+MethodRow mboit_row()
+{
+    return with_standard_traits(
+        {.id = "mboit",
+         .title = "Moment-based: transmittance from four, six or eight moments",
+         .citation = "Muenstermann, Krumpen, Klein and Peters. Moment-Based Order-Independent "
+                     "Transparency. I3D 2018",
+         .parameters = {{"moments", "4|6|8", "4",
+                         "how many numbers; trigonometric ones are two each"},
+                        {"basis", "power|trigonometric", "power", "what they are moments of"},
+                        {"format", "fp32|unorm16", "fp32", "of what fragments read"},
+                        kOverestimation,
+                        kRange},
+         .traits = {},
+         .verbs = mboit_verbs,
+         .traits_of = mboit_traits});
 }
 
 }  // namespace sheer

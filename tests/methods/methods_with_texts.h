@@ -57,12 +57,21 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "moment:format=fp16",
     "moment:format=unorm16:moment-passes=2",
     "moment:format=nlqm",
+    "mboit",
+    "mboit:moments=6",
+    "mboit:moments=8:overestimation=0",
+    "mboit:moments=4:format=unorm16",
+    "mboit:moments=6:format=unorm16",
+    "mboit:moments=8:format=unorm16",
+    "mboit:basis=trigonometric",
+    "mboit:basis=trigonometric:moments=6:format=unorm16",
+    "mboit:basis=trigonometric:moments=8",
 };
 
 // Of texts whose optical depths come from the bits of floats, there are no others.
 inline bool is_of_floats_only(const std::string& method)
 {
-    for (const char* id : {"moment"}) {
+    for (const char* id : {"moment", "mboit"}) {
         if (method.starts_with(id)) return true;
     }
     return false;

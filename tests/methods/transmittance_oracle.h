@@ -24,7 +24,7 @@ using Fragments = std::vector<Fragment>;
 inline bool approximates_transmittance(const ChosenMethod& method)
 {
     const std::string id = method.row->id;
-    return id == "moment";
+    return id == "moment" || id == "mboit";
 }
 
 // By the text, and at least what counts as being seen.

@@ -148,6 +148,7 @@ private:
         }
         if (id == "hybrid") all.push_back({2, static_cast<std::uint32_t>(hybrid_kind(method))});
         if (id == "moment") add_moment_constants(moment_settings(method), all);
+        if (id == "mboit") add_mboit_constants(mboit_settings(method), all);
         if (id == "stratified-stochastic") {
             const StratifiedSettings settings = stratified_settings(method);
             all.push_back({1, settings.tracking ? 1u : 0u});
@@ -167,6 +168,23 @@ private:
         all.push_back({3, settings.adapts ? 1u : 0u});
         all.push_back({4, std::bit_cast<std::uint32_t>(settings.overestimation)});
         add_doubles({settings.bias, settings.even2, settings.even4}, 5, all);
+    }
+
+    static void add_mboit_constants(const MboitSettings& settings,
+                                    std::vector<SpecializationConstant>& all)
+    {
+        all.push_back({1, settings.trigonometric ? 1u : 0u});
+        all.push_back({2, static_cast<std::uint32_t>(settings.half)});
+        all.push_back({3, settings.rounded ? 1u : 0u});
+        all.push_back({4, std::bit_cast<std::uint32_t>(settings.overestimation)});
+        const WrappingZone zone = wrapping_zone();
+        add_doubles({settings.bias, settings.even[1], settings.even[2], settings.even[3],
+                     settings.even[4], zone.half_depth},
+                    5, all);
+        std::uint32_t id = 17;
+        for (const double number : {zone.edge, zone.cosine, zone.sine, zone.begins, zone.rest}) {
+            all.push_back({id++, std::bit_cast<std::uint32_t>(static_cast<float>(number))});
+        }
     }
 
     // Each as two words, the lower one first.
