@@ -21,13 +21,15 @@ MethodRow mlab_row();
 MethodRow z3_row();
 MethodRow adaptive_row();
 MethodRow wboit_row();
+MethodRow fourier_row();
 MethodRow moment_row();
 MethodRow mboit_row();
+MethodRow wavelet_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 17> kTable = {{
+    static const std::array<MethodRow, 19> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -81,8 +83,10 @@ std::span<const MethodRow> method_table()
              {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
          .verbs = weighted_average_verbs},
         wboit_row(),
+        fourier_row(),
         moment_row(),
         mboit_row(),
+        wavelet_row(),
     }};
     return kTable;
 }

@@ -6,7 +6,9 @@
 namespace sheer {
 
 StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs fourier_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs mboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs wavelet_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 
 namespace {
@@ -66,6 +68,22 @@ MethodTraits mboit_traits(const ChosenMethod& method)
     return traits;
 }
 
+MethodTraits fourier_traits(const ChosenMethod& method)
+{
+    const int numbers = 2 * method.number("terms") + 1;
+    MethodTraits traits = transmittance_traits(1, numbers, numbers);
+    traits.texture_bytes = 12 + 4 * numbers;
+    return traits;
+}
+
+MethodTraits wavelet_traits(const ChosenMethod& method)
+{
+    const int cells = 2 << method.number("rank");
+    MethodTraits traits = transmittance_traits(1, cells + 1, cells);
+    traits.texture_bytes = 12 + 4 * cells;
+    return traits;
+}
+
 MethodTraits wboit_traits(const ChosenMethod& method)
 {
     MethodTraits traits;
@@ -117,6 +135,20 @@ MethodRow wboit_row()
          .traits_of = wboit_traits});
 }
 
+MethodRow fourier_row()
+{
+    return with_standard_traits(
+        {.id = "fourier",
+         .title = "Fourier opacity maps: optical depth as a Fourier series over depth",
+         .citation = "Jansen and Bavoil. Fourier Opacity Mapping. I3D 2010",
+         .parameters = {{"terms", "3|7", "7", "of the series, besides the constant one"},
+                        {"window", "none|lanczos", "none", "what damps the highest terms"},
+                        kRange},
+         .traits = {},
+         .verbs = fourier_verbs,
+         .traits_of = fourier_traits});
+}
+
 MethodRow mboit_row()
 {
     return with_standard_traits(
@@ -133,6 +165,18 @@ MethodRow mboit_row()
          .traits = {},
          .verbs = mboit_verbs,
          .traits_of = mboit_traits});
+}
+
+MethodRow wavelet_row()
+{
+    return with_standard_traits(
+        {.id = "wavelet",
+         .title = "Wavelet transparency: optical depth as a series of Haar's wavelets over depth",
+         .citation = "Aizenshtein, Smal and McGuire. Wavelet Transparency. 2022",
+         .parameters = {{"rank", "2..4", "3", "of the tree; it has 2^(rank + 1) cells"}, kRange},
+         .traits = {},
+         .verbs = wavelet_verbs,
+         .traits_of = wavelet_traits});
 }
 
 }  // namespace sheer

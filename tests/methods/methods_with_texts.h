@@ -66,12 +66,16 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "mboit:basis=trigonometric",
     "mboit:basis=trigonometric:moments=6:format=unorm16",
     "mboit:basis=trigonometric:moments=8",
+    "fourier",
+    "fourier:terms=3:window=lanczos",
+    "wavelet",
+    "wavelet:rank=4",
 };
 
 // Of texts whose optical depths come from the bits of floats, there are no others.
 inline bool is_of_floats_only(const std::string& method)
 {
-    for (const char* id : {"moment", "mboit"}) {
+    for (const char* id : {"moment", "mboit", "fourier", "wavelet"}) {
         if (method.starts_with(id)) return true;
     }
     return false;

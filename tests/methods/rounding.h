@@ -95,7 +95,7 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
     } else if (id == "wboit") {
         weights = 2 * weight_roundings(method.value("weight"));
         formula = weights + 2 * (n + 2) + 2 * n + 6 + backdrop;
-    } else if (id == "moment" || id == "mboit") {
+    } else if (id == "moment" || id == "mboit" || id == "fourier" || id == "wavelet") {
         formula = 2 * (2 + 1) + 6 + 3 + n * 0x1p-17 / kUnit + backdrop;
         weights = formula;
     } else if (id == "stochastic") {

@@ -24,7 +24,7 @@ using Fragments = std::vector<Fragment>;
 inline bool approximates_transmittance(const ChosenMethod& method)
 {
     const std::string id = method.row->id;
-    return id == "moment" || id == "mboit";
+    return id == "moment" || id == "mboit" || id == "fourier" || id == "wavelet";
 }
 
 // By the text, and at least what counts as being seen.

@@ -149,6 +149,11 @@ private:
         if (id == "hybrid") all.push_back({2, static_cast<std::uint32_t>(hybrid_kind(method))});
         if (id == "moment") add_moment_constants(moment_settings(method), all);
         if (id == "mboit") add_mboit_constants(mboit_settings(method), all);
+        if (id == "fourier") {
+            all.push_back({1, static_cast<std::uint32_t>(method.number("terms"))});
+            all.push_back({2, method.value("window") == "lanczos" ? 1u : 0u});
+        }
+        if (id == "wavelet") all.push_back({1, static_cast<std::uint32_t>(method.number("rank"))});
         if (id == "stratified-stochastic") {
             const StratifiedSettings settings = stratified_settings(method);
             all.push_back({1, settings.tracking ? 1u : 0u});
