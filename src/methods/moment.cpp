@@ -29,9 +29,11 @@ struct MomentText {
 #include "sheer/moment_formats.glsl"
 };
 
+// With `Again` two curves, of which the second is of what the first lets be seen.
+template <bool Again>
 class MomentFunction {
 public:
-    static constexpr std::size_t kSums = 5, kState = 5;
+    static constexpr std::size_t kSums = 5, kCurve = 5, kState = Again ? 2 * kCurve : kCurve;
 
     explicit MomentFunction(const ChosenMethod& method) : settings_(moment_settings(method)) {}
 
@@ -49,9 +51,38 @@ public:
         addends[4] = depth2 * place2;
     }
 
+    // The second of two curves is one of nothing until there is more to say.
     template <class W>
     HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* state,
                             std::size_t stride) const
+    {
+        prepare_curve<W>(sums, state, stride);
+        if constexpr (Again) {
+            const typename W::real nothing[kSums] = {typename W::real(0.0), typename W::real(0.0),
+                                                     typename W::real(0.0), typename W::real(0.0),
+                                                     typename W::real(0.0)};
+            prepare_curve<W>(nothing, state + kCurve * stride, stride);
+        }
+    }
+    template <class W>
+    HWY_INLINE void prepare_again(const typename W::real (&sums)[kSums], float* state,
+                                  std::size_t stride) const requires(Again)
+    {
+        prepare_curve<W>(sums, state + kCurve * stride, stride);
+    }
+
+    template <class L, class State>
+    HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
+    {
+        auto through = transmittance_of<L>(state, 0, place);
+        if constexpr (Again) through = through * transmittance_of<L>(state, kCurve, place);
+        return through;
+    }
+
+private:
+    template <class W>
+    HWY_INLINE void prepare_curve(const typename W::real (&sums)[kSums], float* state,
+                                  std::size_t stride) const
     {
         using Real = typename W::real;
         using Wide = PowerMomentsText<W>;
@@ -82,10 +113,13 @@ public:
     }
 
     template <class L, class State>
-    HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
+    HWY_INLINE typename L::real transmittance_of(const State& state, std::size_t curve_at,
+                                                 typename L::real place) const
     {
         using Text = MomentText<L>;
-        const typename Text::MomentCurve curve{state[0], state[1], state[2], state[3], state[4]};
+        const typename Text::MomentCurve curve{state[curve_at], state[curve_at + 1],
+                                               state[curve_at + 2], state[curve_at + 3],
+                                               state[curve_at + 4]};
         const auto overestimation =
             settings_.adapts
                 ? Text::moment_adaptive(curve, typename L::real(static_cast<float>(settings_.bias)))
@@ -93,7 +127,6 @@ public:
         return Text::moment_transmittance(curve, place, overestimation);
     }
 
-private:
     // Moments as what is read of them.
     template <class W>
     HWY_INLINE void in_format(typename W::real (&m)[9]) const
@@ -112,15 +145,24 @@ private:
     MomentSettings settings_;
 };
 
-template <int S>
-using MomentSamples = TransmittanceSamples<S, MomentFunction>;
-template <int S>
-using MomentPixels = TransmittancePixels<S, MomentFunction>;
+template <bool Again>
+struct MomentStores {
+    template <int S>
+    using Samples = TransmittanceSamples<S, MomentFunction<Again>>;
+    template <int S>
+    using Pixels = TransmittancePixels<S, MomentFunction<Again>>;
 
-StoreVerbs moment_store(int samples, bool of_pixels)
+    static StoreVerbs make(int samples, bool of_pixels)
+    {
+        if (of_pixels || samples == 1) return verbs_for_samples<Pixels>(samples);
+        return verbs_for_samples<Samples>(samples);
+    }
+};
+
+StoreVerbs moment_store(int samples, bool of_pixels, bool again)
 {
-    if (of_pixels || samples == 1) return verbs_for_samples<MomentPixels>(samples);
-    return verbs_for_samples<MomentSamples>(samples);
+    return again ? MomentStores<true>::make(samples, of_pixels)
+                 : MomentStores<false>::make(samples, of_pixels);
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -133,7 +175,8 @@ HWY_EXPORT(moment_store);
 
 StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
-    return SHEER_DISPATCH(moment_store, targets)(samples, method.value("store") == "pixel");
+    return SHEER_DISPATCH(moment_store, targets)(samples, method.value("store") == "pixel",
+                                                 method.number("moment-passes") == 2);
 }
 
 }  // namespace sheer

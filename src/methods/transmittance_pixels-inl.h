@@ -145,7 +145,16 @@ private:
             if (!any) continue;
             typename Wide::real sums[kOfFunction];
             for (std::size_t k = 0; k < kOfFunction; ++k) sums[k] = exact_sum<Wide>(units[k], grid);
-            function_.template prepare<Wide>(sums, state_.data() + pixel, kTilePixels);
+            float* state = state_.data() + pixel;
+            if constexpr (requires {
+                              function_.template prepare_again<Wide>(sums, state, kTilePixels);
+                          }) {
+                if (pass_ > 1) {
+                    function_.template prepare_again<Wide>(sums, state, kTilePixels);
+                    continue;
+                }
+            }
+            function_.template prepare<Wide>(sums, state, kTilePixels);
         }
     }
 

@@ -50,8 +50,8 @@ MethodTraits transmittance_traits(int moment_passes, int sums, int state, bool o
 MethodTraits moment_traits(const ChosenMethod& method)
 {
     const MomentSettings settings = moment_settings(method);
-    MethodTraits traits =
-        transmittance_traits(settings.passes, 5, 5, method.value("store") == "pixel");
+    MethodTraits traits = transmittance_traits(settings.passes, 5, 5 * settings.passes,
+                                               method.value("store") == "pixel");
     traits.texture_bytes = 12 + settings.passes * 20;
     if (settings.format != MomentFormat::fp32) traits.texture_bytes += settings.passes * 10;
     return traits;
@@ -111,7 +111,7 @@ MethodRow moment_row()
               {"format", "fp32|fp16|unorm16|nlqm", "fp32",
                "of what fragments read; nlqm: non-linearly quantised moments (Peters. HPG 2017)"},
               {"moment-passes", "1|2", "1",
-               "2: the second moments are of what the first let be seen"},
+               "2: the second moments are of what the first let be seen, and hide it once more"},
               kRange,
               kStore},
          .traits = {},

@@ -6,6 +6,7 @@
 //   addends<W>(place, depth, addends)           the kSums numbers of fragments
 //   prepare<W>(sums, state, stride)             kState floats, `stride` from one to the next
 //   transmittance<L>(state, place)              state[k]: what was kept; state.at(k): if k is whole
+//   prepare_again<W>(sums, state, stride)       of a second pass over the sums, if there is one
 // W are lanes of doubles. Where a fragment adds to few of the sums (SparseFunction) there is
 //   kTouched                                    and instead of kSums numbers
 //   addends_of_one(place, depth, addends, sums) as many, and where they belong
@@ -197,8 +198,10 @@ private:
                 typename W::whole(std::int64_t{0}).store(at + k * count());
             }
             float* state = state_of(pixel, s);
+            if constexpr (requires { function_.template prepare_again<W>(sums, state, count()); }) {
+                if (!first) return function_.template prepare_again<W>(sums, state, count());
+            }
             function_.template prepare<W>(sums, state, count());
-            if (!first) return;
             float* through = state + kState * count();
             sums[0].store(through);
             using Alike = TransmittanceText<Floats>;

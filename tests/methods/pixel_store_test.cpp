@@ -49,7 +49,7 @@ std::array<double, 3> mean_color(const Plates& plates, const Setting& setting, s
             const float depth = FloatText::optical_depth(plates[i].color[3] * seen);
             function->add(sums, f.places[i], depth * f.parts[i]);
         }
-        state = function->prepare(sums);
+        state = pass == 0 ? function->prepare(sums) : function->prepare_again(state, sums);
     }
     double sum[3] = {}, weight = 0;
     for (std::size_t i = 0; i < plates.size(); ++i) {

@@ -107,7 +107,8 @@ struct TransmittanceAlone : MethodAlone<L> {
     void finish(Store& s) const
     {
         if (s.pass == 0 || s.pass > function->passes()) return;
-        s.state = function->prepare(s.sums);
+        s.state =
+            s.pass == 1 ? function->prepare(s.sums) : function->prepare_again(s.state, s.sums);
         if (s.pass == 1) s.through = FloatText::exp_of(-as_float(s.sums[0]));
         s.sums.assign(s.sums.size(), 0);
     }

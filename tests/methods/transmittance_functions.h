@@ -3,81 +3,16 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
-#include "lanes/lone.h"
 #include "methods/mboit_settings.h"
 #include "methods/moment_settings.h"
+#include "methods/series_functions.h"
 #include "methods/wrapping_zone.h"
 
 namespace sheer::test {
-
-template <class L>
-struct TransmittanceTexts {
-#include "lanes/text_words.h"
-#include "sheer/over.glsl"
-#include "sheer/exponential.glsl"
-#include "sheer/transmittance.glsl"
-#include "sheer/power_moments.glsl"
-#include "sheer/gauss_rule.glsl"
-#include "sheer/trigonometric_moments.glsl"
-#include "sheer/moment.glsl"
-#include "sheer/moment_formats.glsl"
-#include "sheer/mboit_formats.glsl"
-#include "sheer/secular.glsl"
-#include "sheer/circle_fraction.glsl"
-#include "sheer/fourier.glsl"
-#include "sheer/wavelet.glsl"
-};
-using FloatText = TransmittanceTexts<Lone<float>>;
-using DoubleText = TransmittanceTexts<Lone<double>>;
-
-// Rounded to the grid of exact sums; doubles add up numbers of a grid without loss.
-inline double on_grid(double x, double magic)
-{
-    return (x + magic) - magic;
-}
-inline double grid_magic(int exponent)
-{
-    return std::ldexp(1.5, 52 + exponent);
-}
-inline constexpr int kDepthGrid = -38, kColorGrid = -48;
-
-using Sums = std::vector<double>;
-using State = std::vector<float>;
-
-inline float as_float(double x)
-{
-    return static_cast<float>(x);
-}
-
-class TransmittanceFunction {
-public:
-    virtual ~TransmittanceFunction() = default;
-    virtual int passes() const { return 1; }
-    virtual std::size_t sums() const = 0;
-    // The first of the sums is that of the optical depths.
-    virtual Sums addends(float place, float depth) const = 0;
-    virtual State prepare(const Sums& sums) const = 0;
-    virtual float transmittance(const State& state, float place) const = 0;
-
-    void add(Sums& to, float place, float depth) const
-    {
-        const Sums some = addends(place, depth);
-        const double magic = grid_magic(kDepthGrid);
-        for (std::size_t k = 0; k < to.size(); ++k) to[k] += on_grid(some[k], magic);
-    }
-};
-
-inline double depth_divisor(const Sums& sums)
-{
-    return std::max(sums[0], 0x1p-38);
-}
 
 class MomentFunction : public TransmittanceFunction {
 public:
@@ -120,7 +55,20 @@ public:
         const auto c = curve(sums);
         return {c.mean, c.inverse_deviation, c.skewness, c.sharpness, c.depth};
     }
+    State prepare_again(State state, const Sums& sums) const override
+    {
+        const State second = prepare(sums);
+        state.insert(state.end(), second.begin(), second.end());
+        return state;
+    }
     float transmittance(const State& state, float place) const override
+    {
+        const float first = transmittance_of(&state[0], place);
+        return state.size() > 5 ? first * transmittance_of(&state[5], place) : first;
+    }
+
+private:
+    float transmittance_of(const float* state, float place) const
     {
         const FloatText::MomentCurve c{state[0], state[1], state[2], state[3], state[4]};
         return FloatText::moment_transmittance(
@@ -129,7 +77,6 @@ public:
                              : settings_.overestimation);
     }
 
-private:
     MomentSettings settings_;
 };
 
@@ -266,110 +213,6 @@ private:
 
     MboitSettings settings_;
     WrappingZone zone_ = wrapping_zone();
-};
-
-class FourierFunction : public TransmittanceFunction {
-public:
-    FourierFunction(int terms, bool damped) : terms_(terms), damped_(damped) {}
-
-    std::size_t sums() const override { return 2 * static_cast<std::size_t>(terms_) + 1; }
-    Sums addends(float place, float depth) const override
-    {
-        const auto angles = FloatText::fourier_angles(place, terms_);
-        const auto d = static_cast<double>(depth);
-        Sums some = {d};
-        for (int k = 1; k <= terms_; ++k) {
-            some.push_back(d * static_cast<double>(angles.cosine[k]));
-            some.push_back(d * static_cast<double>(angles.sine[k]));
-        }
-        return some;
-    }
-    State prepare(const Sums& sums) const override
-    {
-        FloatText::FourierSeries series = read({sums.begin(), sums.end()});
-        series = FloatText::fourier_series(series, terms_, damped_);
-        State state = {series.depth};
-        for (int k = 1; k <= terms_; ++k) {
-            state.push_back(series.cosine[k]);
-            state.push_back(series.sine[k]);
-        }
-        return state;
-    }
-    float transmittance(const State& state, float place) const override
-    {
-        return FloatText::fourier_transmittance(read(state), place, terms_);
-    }
-
-private:
-    FloatText::FourierSeries read(const State& numbers) const
-    {
-        FloatText::FourierSeries series = {};
-        series.depth = numbers[0];
-        for (std::size_t k = 1; 2 * k < numbers.size(); ++k) {
-            series.cosine[k] = numbers[2 * k - 1];
-            series.sine[k] = numbers[2 * k];
-        }
-        return series;
-    }
-
-    int terms_;
-    bool damped_;
-};
-
-class WaveletFunction : public TransmittanceFunction {
-public:
-    explicit WaveletFunction(int rank) : rank_(rank) {}
-
-    std::size_t sums() const override { return (std::size_t{2} << rank_) + 1; }
-    Sums addends(float place, float depth) const override
-    {
-        const float d = FloatText::wavelet_place(place, cells());
-        const std::uint32_t cell = FloatText::wavelet_cell(d, cells());
-        const auto through = static_cast<double>(depth);
-        Sums some(sums());
-        some.front() = through;
-        some.back() = through * (1 - static_cast<double>(d));
-        for (int up = 1; up <= rank_ + 1; ++up) {
-            some[coefficient(cell, up)] =
-                through * DoubleText::wavelet_addend(static_cast<double>(d), cell, up,
-                                                     std::ldexp(1.0, power(up)),
-                                                     std::sqrt(std::ldexp(1.0, power(up))));
-        }
-        return some;
-    }
-    State prepare(const Sums& sums) const override
-    {
-        State state;
-        for (std::uint32_t cell = 0; cell + 1 < sums.size(); ++cell) {
-            double mean = sums.back();
-            for (int up = 1; up <= rank_ + 1; ++up) {
-                const double step =
-                    std::sqrt(std::ldexp(1.0, power(up))) * sums[coefficient(cell, up)];
-                mean = (cell >> (up - 1) & 1) == 0 ? mean - step : mean + step;
-            }
-            state.push_back(as_float(mean));
-        }
-        return state;
-    }
-    float transmittance(const State& state, float place) const override
-    {
-        const float d = FloatText::wavelet_place(place, cells());
-        const std::uint32_t cell = FloatText::wavelet_cell(d, cells());
-        const float here = state[cell];
-        const float before = place >= 1 ? here : cell > 0 ? state[cell - 1] : 0;
-        return FloatText::wavelet_transmittance(d, cell, cells(), before, here);
-    }
-
-private:
-    float cells() const { return std::ldexp(2.0f, rank_); }
-    int power(int up) const { return rank_ + 1 - up; }
-    // In the tree, of which the root is the second sum.
-    std::size_t coefficient(std::uint32_t cell, int up) const
-    {
-        return (std::size_t{1} << power(up)) + (cell >> up);
-    }
-
-    int rank_;
 };
 
 // Null: the method is none of these.

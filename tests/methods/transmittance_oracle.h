@@ -41,7 +41,7 @@ inline reference::Transmittance text_transmittance(const ChosenMethod& method,
             function->add(sums, place,
                           FloatText::optical_depth(static_cast<float>(f.opacity) * seen));
         }
-        state = function->prepare(sums);
+        state = pass == 0 ? function->prepare(sums) : function->prepare_again(state, sums);
     }
     return [=](double z) {
         const float through = function->transmittance(state, static_cast<float>(z));

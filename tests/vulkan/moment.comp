@@ -28,6 +28,9 @@ layout(constant_id = 10) const uint kEven4High = 0;
 
 double bias_amount = packDouble2x32(uvec2(kBiasLow, kBiasHigh));
 MomentCurve curve;
+MomentCurve first_curve;  // of two
+bool has_first = false;
+bool has_curve = false;
 
 void add_sums(float place, float depth)
 {
@@ -42,6 +45,9 @@ void add_sums(float place, float depth)
 
 void prepare()
 {
+    has_first = has_curve;
+    first_curve = curve;
+    has_curve = true;
     PowerMoments m;
     for (int k = 0; k < 5; ++k) m.m[k] = sums[k] / depth_divisor();
     if (kFormat == 1 || kFormat == 2) {
@@ -65,16 +71,24 @@ void prepare()
     if (kFormat == 3) curve = curve_of_quantised(quantised_moments(curve), curve.depth);
 }
 
-float seen_from(float place)
+float seen_through(MomentCurve c, float place)
 {
     float overestimation = kOverestimation;
-    if (kAdapts != 0) overestimation = moment_adaptive(curve, float(bias_amount));
-    return moment_transmittance(curve, place, overestimation);
+    if (kAdapts != 0) overestimation = moment_adaptive(c, float(bias_amount));
+    return moment_transmittance(c, place, overestimation);
+}
+float seen_from(float place)
+{
+    float through = seen_through(curve, place);
+    if (has_first) through = seen_through(first_curve, place) * through;
+    return through;
 }
 
 vec4 kept_numbers()
 {
-    return vec4(curve.mean, curve.inverse_deviation, curve.skewness, curve.sharpness);
+    MomentCurve c = curve;
+    if (has_first) c = first_curve;
+    return vec4(c.mean, c.inverse_deviation, c.skewness, c.sharpness);
 }
 
 void main()
