@@ -40,4 +40,14 @@ uint to_whole(float a)
     return uint(a);
 }  // towards zero; 0 to 2^31
 
+// The same bits.
+uint bits_of(float a)
+{
+    return floatBitsToUint(a);
+}
+float real_of_bits(uint a)
+{
+    return uintBitsToFloat(a);
+}
+
 #endif

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "cpu/depth_extent.h"
 #include "cpu/draw_take.h"
 #include "cpu/fragment_sink.h"
 #include "cpu/frame_job.h"
@@ -124,6 +125,12 @@ EyeSpace eye_space(const Projection& projection)
             static_cast<float>(projection.zfar)};
 }
 
+bool any_measures_depth(std::span<const Take> takes)
+{
+    return std::any_of(takes.begin(), takes.end(),
+                       [](const Take& take) { return take.method.traits().measures_depth; });
+}
+
 void make_images(const FrameJob& job, bool channels, FrameTakes& result)
 {
     const int width = job.grid.width, height = job.grid.height;
@@ -199,6 +206,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
                  0,
                  0,
                  request.sink};
+    if (any_measures_depth(takes)) find_depth_extent(geometry, surfaces, job.eye);
     for (const Take& take : takes) {
         const MethodRow& row = *take.method.row;
         const bool colored = surfaces.any_colored && row.colored_verbs != nullptr;

@@ -84,6 +84,10 @@ struct Lanes {
         }
         static HWY_INLINE whole bits_of(real x) { return hn::BitCast(I(), x.v); }
         HWY_INLINE real as_real() const { return hn::BitCast(F(), v); }  // the same bits
+        HWY_INLINE std::uint32_t first() const                           // of lane 0
+        {
+            return static_cast<std::uint32_t>(hn::GetLane(v));
+        }
         HWY_INLINE void store(std::int32_t* p) const { hn::StoreU(v, I(), p); }
         HWY_INLINE void store(std::uint32_t* p) const { hn::StoreU(hn::BitCast(U(), v), U(), p); }
         // Wraps around, like unsigned arithmetic.
@@ -215,6 +219,8 @@ struct Lanes {
         const real limit(8388608.0f);
         return select(a < limit && a > real(0.0f) - limit, below, a);
     }
+    static HWY_INLINE whole bits_of(real a) { return whole::bits_of(a); }
+    static HWY_INLINE real real_of_bits(whole a) { return a.as_real(); }
     static HWY_INLINE real sqrt(real a) { return hn::Sqrt(a.v); }
     static HWY_INLINE real gather(const float* base, whole index)
     {

@@ -2,6 +2,8 @@
 // and as double, to see what rounding does to them.
 #pragma once
 
+#include <bit>
+#include <cmath>
 #include <cstdint>
 
 #include "lanes/text.h"
@@ -21,6 +23,10 @@ struct Lone {
     static real max(real a, real b) { return a > b ? a : b; }
     static real to_real(whole a) { return static_cast<real>(a); }
     static whole to_whole(real a) { return static_cast<whole>(a); }
+    static real sqrt(real a) { return std::sqrt(a); }
+    // Of a float, which is all that there are bits for.
+    static whole bits_of(real a) { return std::bit_cast<whole>(static_cast<float>(a)); }
+    static real real_of_bits(whole a) { return static_cast<real>(std::bit_cast<float>(a)); }
 };
 
 }  // namespace sheer

@@ -65,3 +65,15 @@ SHEER_FN whole to_whole(real a)
 {
     return L::to_whole(a);
 }
+SHEER_FN whole bits_of(real a)
+{
+    return L::bits_of(a);
+}
+SHEER_FN real real_of_bits(whole a)
+{
+    return L::real_of_bits(a);
+}
+SHEER_FN real sqrt(real a)
+{
+    return L::sqrt(a);
+}

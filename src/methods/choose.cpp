@@ -38,21 +38,28 @@ std::size_t find_parameter(const MethodRow& row, std::string_view name)
                                   (known.empty() ? "; it has none" : "; it has " + known));
 }
 
-bool allowed(const Parameter& parameter, std::string_view value)
+template <class Number>
+bool in_range(std::string_view range, std::string_view value)
 {
-    const std::string_view values = parameter.values;
-    const std::size_t dots = values.find("..");
-    if (dots == std::string_view::npos) {
-        const auto choices = split(values, '|');
-        return std::find(choices.begin(), choices.end(), value) != choices.end();
-    }
-    const auto number = [](std::string_view text, long& result) {
+    const auto number = [](std::string_view text, Number& result) {
         const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), result);
         return error == std::errc() && end == text.data() + text.size();
     };
-    long least = 0, most = 0, chosen = 0;
-    return number(values.substr(0, dots), least) && number(values.substr(dots + 2), most) &&
+    const std::size_t dots = range.find("..");
+    Number least{}, most{}, chosen{};
+    return number(range.substr(0, dots), least) && number(range.substr(dots + 2), most) &&
            number(value, chosen) && chosen >= least && chosen <= most;
+}
+
+bool allowed(const Parameter& parameter, std::string_view value)
+{
+    const auto choices = split(parameter.values, '|');
+    return std::any_of(choices.begin(), choices.end(), [&](std::string_view choice) {
+        if (choice.find("..") == std::string_view::npos) return choice == value;
+        const bool is_real =
+            choice.substr(0, choice.find("..")).find('.') != std::string_view::npos;
+        return is_real ? in_range<double>(choice, value) : in_range<long>(choice, value);
+    });
 }
 
 }  // namespace
@@ -74,6 +81,14 @@ std::string ChosenMethod::parameters_text() const
 int ChosenMethod::number(std::string_view parameter) const
 {
     return std::stoi(value(parameter));
+}
+
+double ChosenMethod::real(std::string_view parameter) const
+{
+    const std::string& text = value(parameter);
+    double number = 0;
+    std::from_chars(text.data(), text.data() + text.size(), number);
+    return number;
 }
 
 MethodTraits ChosenMethod::traits() const

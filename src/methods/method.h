@@ -69,6 +69,7 @@ struct ChosenMethod {
     const std::string& value(std::string_view parameter) const;  // of one that the row has
     std::string parameters_text() const;                         // NAME=VALUE:NAME=VALUE
     int number(std::string_view parameter) const;                // of whole numbers
+    double real(std::string_view parameter) const;               // of real ones
     MethodTraits traits() const;                                 // with these values
 };
 
@@ -79,6 +80,9 @@ ChosenMethod choose_method(std::string_view text);
 struct EyeSpace {
     bool orthographic = false;  // depth is the distance; else -1 / distance
     float znear = 0, zfar = 0;  // of the camera; zfar 0: none
+    // Distances between which all lies that is transparent in the picture, for the methods that say
+    // so (MethodTraits::measures_depth); the first is the larger where that is not known.
+    float nearest = 1, farthest = 0;
 };
 
 struct StoreShape {
@@ -170,7 +174,8 @@ enum class Submission {
 
 struct Parameter {
     const char* name;
-    const char* values;  // "a|b|c", or "least..most" for whole numbers
+    // "a|b|c", of which any may be "least..most", for whole numbers, or with points for real ones.
+    const char* values;
     const char* standard;
     const char* what;
 };
@@ -185,15 +190,19 @@ struct MethodTraits {
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
     int bytes_per_fragment_and_sample = 0;  // at most
     int bytes_of_tables = 0;                // of all stores together, at most
+    // What a GPU's textures for the same take a pixel of one sample, in the paper's formats; 0: the
+    // paper does not say.
+    double texture_bytes = 0;
     bool bounded = true;                    // the store does not grow with the number of fragments
     Agreement any_order = Agreement::none;  // of the stores for every order of arrival
     // Of parts with the whole, merged after each pass, which then goes on with what was merged.
     Agreement merge = Agreement::none;
     bool merges_in_order = false;  // where that is none: of arrival
     Bias bias = Bias::neither;
-    int exact_up_to = 0;        // fragments a sample; -1: any number; 0: none
-    bool within_inputs = true;  // no colour exceeds the largest of fragments and backdrop
-    bool divides = false;       // after the filter: SampleColors::fraction
+    int exact_up_to = 0;          // fragments a sample; -1: any number; 0: none
+    bool within_inputs = true;    // no colour exceeds the largest of fragments and backdrop
+    bool divides = false;         // after the filter: SampleColors::fraction
+    bool measures_depth = false;  // wants EyeSpace::nearest and farthest
 
     double bytes_per_pixel(int samples, double fragments_per_pixel) const
     {

@@ -70,7 +70,7 @@ struct PhenomenologicalTile : SampleStore<S, PhenomenologicalMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        weigh_fragments(f, eye, weights, [&](auto z, auto a) HWY_ATTR {
+        weigh_fragments(f, eye, weights, [&](auto, auto z, auto a) HWY_ATTR {
             return PhenomenologicalText<WeightBlock>::phenomenological_weight(buffer_depth(eye, z),
                                                                               a);
         });

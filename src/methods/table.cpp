@@ -13,7 +13,6 @@ StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method,
 StoreVerbs phenomenological_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs phenomenological_colored_verbs(TargetSet targets, const ChosenMethod& method,
                                           int samples);
-StoreVerbs wboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
@@ -26,11 +25,16 @@ MethodRow mlab_row();
 MethodRow z3_row();
 MethodRow adaptive_row();
 MethodRow deep_shadow_map_row();
+MethodRow wboit_row();
+MethodRow fourier_row();
+MethodRow moment_row();
+MethodRow mboit_row();
+MethodRow wavelet_row();
 
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 18> kTable = {{
+    static const std::array<MethodRow, 22> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -91,17 +95,7 @@ std::span<const MethodRow> method_table()
          .traits =
              {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
          .verbs = weighted_average_verbs},
-        {.id = "wboit",
-         .title = "Weighted blended: weights that fall with distance",
-         .citation = "McGuire and Bavoil. Weighted Blended Order-Independent Transparency. "
-                     "JCGT 2(2), 2013",
-         .continuum = {"always", "sums, no layer", "a sum, weighted by distance",
-                       "the weighted mean of all"},
-         .parameters = {{"weight", "eq7|eq8|eq9|eq10|uniform", "eq9",
-                         "the paper's equation, in metres from the eye, or none"}},
-         .traits =
-             {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
-         .verbs = wboit_verbs},
+        wboit_row(),
         {.id = "phenomenological",
          .title = "Weighted blending that knows coloured glass: each channel has its transmittance",
          .citation = "McGuire and Mara. Phenomenological Transparency. TVCG 23(5), 2017",
@@ -112,6 +106,10 @@ std::span<const MethodRow> method_table()
              {.bytes_per_sample = 28, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
          .verbs = phenomenological_verbs,
          .colored_verbs = phenomenological_colored_verbs},
+        fourier_row(),
+        moment_row(),
+        mboit_row(),
+        wavelet_row(),
     }};
     return kTable;
 }

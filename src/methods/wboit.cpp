@@ -10,6 +10,7 @@
 
 #include <hwy/foreach_target.h>
 
+#include "methods/depth_range.h"
 #include "methods/samples-inl.h"
 #include "methods/weights-inl.h"
 
@@ -21,6 +22,8 @@ struct WboitText {
 #include "lanes/text_words.h"
 #include "sheer/over.glsl"
 #include "sheer/wboit.glsl"
+#include "sheer/exponential.glsl"
+#include "sheer/transmittance.glsl"
 };
 
 template <int S>
@@ -59,31 +62,47 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
     using typename Base::Text;
 
     int equation;
+    bool scaled;  // the range of depths to what is drawn
     EyeSpace eye;
+    DepthRange range;
     AlignedArray<float> weights;  // of the stream's fragments
 
     explicit WboitTile(const StoreShape& shape)
         : Base(shape),
           equation(equation_of(shape.method->value("weight"))),
+          scaled(shape.method->value("weight") == "range"),
           eye(shape.eye),
+          range(depth_range(shape.eye, true)),
           weights(shape.stream_capacity + FragmentStream::kSlack)
     {
     }
 
     static int equation_of(const std::string& weight)
     {
+        if (weight == "range") return 10;
         return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
     }
 
     void insert(const FragmentStream& f, int)
     {
-        weigh_fragments(f, eye, weights, [&](auto z, auto a) HWY_ATTR {
-            return WboitText<WeightBlock>::wboit_weight(equation, z, buffer_depth(eye, z), a);
+        weigh_fragments(f, eye, weights, [&](auto depth, auto z, auto a) HWY_ATTR {
+            const auto d = scaled ? place_in_range(depth) : buffer_depth(eye, z);
+            return WboitText<WeightBlock>::wboit_weight(equation, z, d, a);
         });
         this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
             return Text::wboit_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]),
                                       real(weights[i]));
         });
+    }
+
+    // From 0 to 1 over what is drawn, by the logarithm of distance.
+    template <class Real>
+    HWY_INLINE Real place_in_range(Real depth) const
+    {
+        const Real half(0.5f);
+        return half * WboitText<WeightBlock>::warped_depth(range.is_distance, depth,
+                                                           Real(range.from), Real(range.scale)) +
+               half;
     }
 };
 

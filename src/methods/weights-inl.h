@@ -25,7 +25,7 @@ HWY_INLINE WeightBlock::real buffer_depth(const EyeSpace& eye, WeightBlock::real
     return eye.zfar > 0 ? (znear * zfar / z - zfar) / (znear - zfar) : Real(1.0f) - znear / z;
 }
 
-// Makes weights[i] = weigh(z, opacity) of each fragment i at distance z. There is room for
+// Makes weights[i] = weigh(depth, z, opacity) of each fragment i at distance z. There is room for
 // FragmentStream::kSlack more.
 template <class Weigh>
 HWY_INLINE void weigh_fragments(const FragmentStream& f, const EyeSpace& eye,
@@ -40,7 +40,7 @@ HWY_INLINE void weigh_fragments(const FragmentStream& f, const EyeSpace& eye,
             const Real at_center = Real::load(f.depth.data() + i);
             const Real depth = WeightBlock::min(WeightBlock::max(at_center, least), most);
             const Real z = eye.orthographic ? depth : Real(-1.0f) / depth;
-            weigh(z, Real::load(f.opacity.data() + i)).store(weights.data() + i);
+            weigh(depth, z, Real::load(f.opacity.data() + i)).store(weights.data() + i);
         }
     }
 }

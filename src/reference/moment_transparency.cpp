@@ -44,7 +44,9 @@ Rgba moment_transparency(std::span<const Fragment> fragments, const MomentTransp
     if (how.passes == 2) {
         std::vector<Fragment> occluded(fragments.begin(), fragments.end());
         for (Fragment& f : occluded) f.opacity *= transmittance(f.depth);
-        transmittance = from_moments(occluded, how);
+        transmittance = [first = transmittance, second = from_moments(occluded, how)](double z) {
+            return first(z) * second(z);
+        };
     }
     return weigh_by_transmittance(fragments, transmittance, backdrop);
 }

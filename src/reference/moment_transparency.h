@@ -27,8 +27,9 @@ struct MomentTransparency {
     MomentBias bias = power_bias(4, MomentFormat::fp32);
     double beta = 0;  // of overestimation
     // 2: the transmittance T of the first pass's moments makes a second pass's, of fragments with
-    // opacity alpha T(z), and from these comes what weighs colours. (The paper says no more than
-    // that each fragment is occluded twice; this is a reading of it.)
+    // opacity alpha T(z), and the product of both is what weighs colours. (The paper says no more
+    // than that each fragment is occluded by twice the amount, and that this darkens behind one or
+    // two in front; this is a reading of it that does.)
     int passes = 1;
     double most_absorbance = 10;  // of a fragment
 };

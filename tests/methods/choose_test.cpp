@@ -1,6 +1,8 @@
 // Choosing a method and its parameters' values by text.
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include <sheer/error.h>
 
 #include "methods/method.h"
@@ -22,8 +24,13 @@ TEST(Methods, ChoosingByText)
               "method: there is no method 'exakt'; there are blend, sorted-blend, exact, "
               "depth-peeling, dual-depth-peeling, bucket-peeling, stochastic, "
               "stratified-stochastic, k-buffer, hybrid, mlab, z3, adaptive, deep-shadow-map, "
-              "weighted-average, wboit, phenomenological");
+              "weighted-average, wboit, phenomenological, fourier, moment, mboit, wavelet");
     EXPECT_EQ(message("exact:k=3"), "method: exact has no parameter 'k'; it has none");
+    for (const std::string value : {"1.5", "-0.1", "nan", "", "0.5x", "adaptively"}) {
+        EXPECT_EQ(message(("moment:overestimation=" + value).c_str()),
+                  "method: moment: overestimation is 0.0..1.0|adaptive, not '" + value + "'");
+    }
+    EXPECT_EQ(choose_method("moment:overestimation=0.5").real("overestimation"), 0.5);
     EXPECT_EQ(message("exact:k"), "method: 'k' is not NAME=VALUE");
 }
 

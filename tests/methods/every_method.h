@@ -12,19 +12,18 @@
 
 namespace sheer {
 
-// Of a range of whole numbers: both ends and the standard value.
+// Of a range: both ends and the standard value, if it is a number.
 inline std::vector<std::string> values_of(const Parameter& parameter)
 {
-    const std::string values = parameter.values;
-    const std::size_t dots = values.find("..");
-    if (dots != std::string::npos) {
-        const std::set<std::string> some = {values.substr(0, dots), parameter.standard,
-                                            values.substr(dots + 2)};
-        return {some.begin(), some.end()};
+    std::set<std::string> values;
+    for (const auto& choice : split(parameter.values, '|')) {
+        const std::size_t dots = choice.find("..");
+        values.emplace(choice.substr(0, dots));
+        if (dots == std::string::npos) continue;
+        values.emplace(choice.substr(dots + 2));
+        values.emplace(parameter.standard);
     }
-    std::vector<std::string> choices;
-    for (const auto& choice : split(values, '|')) choices.emplace_back(choice);
-    return choices;
+    return {values.begin(), values.end()};
 }
 
 inline bool is_refused(const ChosenMethod& method, int samples)

@@ -16,6 +16,7 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "wboit:weight=eq9",
     "wboit:weight=eq10",
     "wboit:weight=uniform",
+    "wboit:weight=range",
     "stochastic:masks=stratified:seed-by=primitive",
     "stochastic:masks=stratified:seed-by=object",
     "stochastic:masks=stratified:seed-by=depth",
@@ -59,6 +60,40 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "deep-shadow-map",
     "deep-shadow-map:error=0:correction=off",
     "deep-shadow-map:error=0.05",
+    "moment",
+    "moment:overestimation=0",
+    "moment:overestimation=adaptive:moment-passes=2",
+    "moment:format=fp16",
+    "moment:format=unorm16:moment-passes=2",
+    "moment:format=nlqm",
+    "mboit",
+    "mboit:moments=6",
+    "mboit:moments=8:overestimation=0",
+    "mboit:moments=4:format=unorm16",
+    "mboit:moments=6:format=unorm16",
+    "mboit:moments=8:format=unorm16",
+    "mboit:basis=trigonometric",
+    "mboit:basis=trigonometric:moments=6:format=unorm16",
+    "mboit:basis=trigonometric:moments=8",
+    "fourier",
+    "fourier:terms=3:window=lanczos",
+    "wavelet",
+    "wavelet:rank=4",
 };
+
+// Of texts whose optical depths come from the bits of floats, there are no others.
+inline bool is_of_floats_only(const std::string& method)
+{
+    for (const char* id : {"moment", "mboit", "fourier", "wavelet"}) {
+        if (method.starts_with(id)) return true;
+    }
+    return false;
+}
+
+// Theirs are long, too: those with other parameters than the standard are run on some lists only.
+inline bool is_variant_of_long(const std::string& method)
+{
+    return is_of_floats_only(method) && method.find(':') != std::string::npos;
+}
 
 }  // namespace sheer::test

@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -17,6 +18,7 @@
 #include "methods/stochastic_alone.h"
 #include "methods/stratified_alone.h"
 #include "methods/sums_alone.h"
+#include "methods/transmittance_alone.h"
 #include "lanes/lone.h"
 
 namespace sheer::test {
@@ -131,6 +133,7 @@ struct WeightedAverageAlone : MethodAlone<L> {
 inline int wboit_equation(const ChosenMethod& method)
 {
     const std::string& weight = method.value("weight");
+    if (weight == "range") return 10;
     return weight == "uniform" ? 0 : std::stoi(weight.substr(2));
 }
 
@@ -143,8 +146,11 @@ struct WboitAlone : MethodAlone<L> {
     static Store clear() { return T::wboit_clear(); }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
+        const ListedFragment& f = this->lists.fragments[i];
         const float z = this->lists.distance_of(i);
-        const float d = in_buffer(this->lists.eye, z);
+        const bool scaled = this->method.value("weight") == "range";
+        const float d =
+            scaled ? 0.5f * place_in(this->lists, f) + 0.5f : in_buffer(this->lists.eye, z);
         const auto weight =
             T::wboit_weight(equation, typename L::real(z), typename L::real(d), this->opacity(i));
         return T::wboit_insert(s, this->lists.covers(i, at), this->color(i), this->opacity(i),
@@ -217,6 +223,11 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "bucket-peeling") return make_alone<L, BucketPeelingAlone>(lists, method);
     if (id == "phenomenological") return make_alone<L, PhenomenologicalAlone>(lists, method);
     if (id == "deep-shadow-map") return make_alone<L, DeepShadowAlone>(lists, method);
+    if constexpr (std::is_same_v<L, Lone<float>>) {
+        if (transmittance_function(method) != nullptr) {
+            return make_alone<L, TransmittanceAlone>(lists, method);
+        }
+    }
     throw std::runtime_error(id + " has no text here");
 }
 

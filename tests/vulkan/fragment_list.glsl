@@ -18,6 +18,8 @@ struct Tile {
     uint x, y, key;     // its first pixel in the picture; of the random numbers
     uint orthographic;  // or perspective
     float near, far;    // far 0: none
+    float from, scale;  // of warped depth
+    float brightest;    // a power of two that no colour is above
 };
 
 layout(std430, set = 0, binding = 0) readonly buffer Fragments

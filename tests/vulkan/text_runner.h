@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -20,6 +21,8 @@ struct ShaderTile {
     std::uint32_t x, y, key;
     std::uint32_t orthographic;
     float near, far;
+    float from, scale;
+    float brightest;
 };
 
 template <class T>
@@ -45,9 +48,11 @@ public:
             fragments.insert(fragments.end(), lists.fragments.begin(), lists.fragments.end());
             for (std::size_t p = 0; p < kTilePixels; ++p) first.push_back(base + lists.first[p]);
             const TilePlace& place = lists.place;
+            const DepthRange range = depth_range_of(lists);
             shader_tiles.push_back(
                 {static_cast<std::uint32_t>(place.x), static_cast<std::uint32_t>(place.y),
-                 place.key, lists.eye.orthographic ? 1u : 0u, lists.eye.znear, lists.eye.zfar});
+                 place.key, lists.eye.orthographic ? 1u : 0u, lists.eye.znear, lists.eye.zfar,
+                 range.from, range.scale, std::ldexp(1.0f, brightest_exponent(lists))});
             const Words behind = words_of(make_backdrop(samples_).values);
             colors.insert(colors.end(), behind.begin(), behind.end());
         }
@@ -114,7 +119,10 @@ private:
     {
         const std::string id = method.row->id;
         std::vector<SpecializationConstant> all = {{0, static_cast<std::uint32_t>(samples_)}};
-        if (id == "wboit") all.push_back({1, static_cast<std::uint32_t>(wboit_equation(method))});
+        if (id == "wboit") {
+            all.push_back({1, static_cast<std::uint32_t>(wboit_equation(method))});
+            all.push_back({2, method.value("weight") == "range" ? 1u : 0u});
+        }
         if (id == "stochastic") {
             const std::string& by = method.value("seed-by");
             all.push_back({1, method.value("masks") == "stratified" ? 1u : 0u});
@@ -149,6 +157,13 @@ private:
             all.push_back({2, merge == "front" ? 0u : merge == "nearest-two" ? 1u : 2u});
         }
         if (id == "hybrid") all.push_back({2, static_cast<std::uint32_t>(hybrid_kind(method))});
+        if (id == "moment") add_moment_constants(moment_settings(method), all);
+        if (id == "mboit") add_mboit_constants(mboit_settings(method), all);
+        if (id == "fourier") {
+            all.push_back({1, static_cast<std::uint32_t>(method.number("terms"))});
+            all.push_back({2, method.value("window") == "lanczos" ? 1u : 0u});
+        }
+        if (id == "wavelet") all.push_back({1, static_cast<std::uint32_t>(method.number("rank"))});
         if (id == "stratified-stochastic") {
             const StratifiedSettings settings = stratified_settings(method);
             all.push_back({1, settings.tracking ? 1u : 0u});
@@ -158,6 +173,44 @@ private:
             all.push_back({5, static_cast<std::uint32_t>(settings.sequence)});
         }
         return all;
+    }
+
+    static void add_moment_constants(const MomentSettings& settings,
+                                     std::vector<SpecializationConstant>& all)
+    {
+        all.push_back({1, static_cast<std::uint32_t>(settings.passes)});
+        all.push_back({2, static_cast<std::uint32_t>(settings.format)});
+        all.push_back({3, settings.adapts ? 1u : 0u});
+        all.push_back({4, std::bit_cast<std::uint32_t>(settings.overestimation)});
+        add_doubles({settings.bias, settings.even2, settings.even4}, 5, all);
+    }
+
+    static void add_mboit_constants(const MboitSettings& settings,
+                                    std::vector<SpecializationConstant>& all)
+    {
+        all.push_back({1, settings.trigonometric ? 1u : 0u});
+        all.push_back({2, static_cast<std::uint32_t>(settings.half)});
+        all.push_back({3, settings.rounded ? 1u : 0u});
+        all.push_back({4, std::bit_cast<std::uint32_t>(settings.overestimation)});
+        const WrappingZone zone = wrapping_zone();
+        add_doubles({settings.bias, settings.even[1], settings.even[2], settings.even[3],
+                     settings.even[4], zone.half_depth},
+                    5, all);
+        std::uint32_t id = 17;
+        for (const double number : {zone.edge, zone.cosine, zone.sine, zone.begins, zone.rest}) {
+            all.push_back({id++, std::bit_cast<std::uint32_t>(static_cast<float>(number))});
+        }
+    }
+
+    // Each as two words, the lower one first.
+    static void add_doubles(std::initializer_list<double> numbers, std::uint32_t id,
+                            std::vector<SpecializationConstant>& all)
+    {
+        for (const double number : numbers) {
+            const auto bits = std::bit_cast<std::uint64_t>(number);
+            all.push_back({id++, static_cast<std::uint32_t>(bits)});
+            all.push_back({id++, static_cast<std::uint32_t>(bits >> 32)});
+        }
     }
 
     int samples_;

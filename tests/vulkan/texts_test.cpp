@@ -55,6 +55,9 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
                     "stratified-stochastic", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
                     "depth-peeling", "dual-depth-peeling", "bucket-peeling", "phenomenological",
                     "deep-shadow-map", "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
+        // Long texts, whose samples have nothing to do with one another.
+        if (samples > 4) continue;
+        expect_same_bits(tiles, {"moment", "mboit", "fourier", "wavelet"});
     }
 }
 
