@@ -4,8 +4,8 @@
 // A(z), the optical depth before z, is kept as its mean in each of n = 2^(rank + 1) cells between
 // depths -1 and 1, by a sum of steps: wavelets 2 i + 1 and 2 i + 2 are on the nearer and the
 // farther half of wavelet i, and coefficient n - 1 is the mean of all. A fragment touches rank + 2
-// of them. Between the cells A is read as a line, so that a layer's step is a ramp as wide as a
-// cell. Needs prelude.glsl, exponential.glsl.
+// of them. Between the cells A is read as a line, so that a layer's step is a ramp, a cell wide.
+// Needs prelude.glsl, exponential.glsl.
 
 // The place from 0 to 1, less the last cell, which stays behind all fragments.
 SHEER_FN real wavelet_place(real place, real cells)
