@@ -144,7 +144,7 @@ std::string methods_text()
         TextTable table{.left = 2, .last_is_prose = true, .rows = {}};
         for (const Parameter& p : row.parameters) {
             table.rows.push_back({"    " + std::string(p.name) + "=" + p.values,
-                                  "(" + std::string(p.standard) + ")", p.what});
+                                  std::string("(") + p.standard + ")", p.what});
         }
         text += table.text();
     }

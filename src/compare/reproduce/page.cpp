@@ -95,11 +95,12 @@ Cell printed(const std::string& as_in_the_paper)
 std::string Table::csv() const
 {
     std::string text;
-    for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i];
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        text += std::string(i == 0 ? "" : ",") + columns[i];
     text += "\n";
     for (const auto& row : rows) {
         for (std::size_t i = 0; i < row.size(); ++i) {
-            text += (i == 0 ? "" : ",") + csv_cell(row[i].value);
+            text += std::string(i == 0 ? "" : ",") + csv_cell(row[i].value);
         }
         text += "\n";
     }
