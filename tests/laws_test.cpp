@@ -165,27 +165,38 @@ TEST(Laws, OneFragmentGoesOver)
     });
 }
 
+// How far beyond the bound of rounding another order of arrival takes the same plates, or 0.
+double shuffled_difference(const Setting& setting, std::mt19937& random)
+{
+    const Agreement claim = setting.method.traits().any_order;
+    Plates plates = plates_to_tell_by(setting, random);
+    const Colors backdrop = random_backdrop(*setting.set, random);
+    const Colors expected = resolve_plates(setting, plates, backdrop);
+    const double bound = rounding_bound(setting.method, plates.size()).reordered;
+    double most = 0;
+    for (int round = 0; round < 3; ++round) {
+        std::shuffle(plates.begin(), plates.end(), random);
+        Tile tile(setting);
+        insert_in_streams(tile, plates, random);
+        const Colors result = tile.resolve(backdrop);
+        most = std::max(most, largest_difference(result, expected) - bound);
+        if (claim != Agreement::none) expect_agreement(claim, result, expected, bound);
+    }
+    return most;
+}
+
 TEST(Laws, OrderOfArrivalMattersAsTheRowSays)
 {
     for_each_setting([](const Setting& setting, std::mt19937& random) {
-        const Agreement claim = setting.method.traits().any_order;
-        Plates plates = plates_to_tell_by(setting, random);
-        const Colors backdrop = random_backdrop(*setting.set, random);
-        const Colors expected = resolve_plates(setting, plates, backdrop);
-        const double bound = rounding_bound(setting.method, plates.size()).reordered;
-        double most = 0;
-        for (int round = 0; round < 3; ++round) {
-            std::shuffle(plates.begin(), plates.end(), random);
-            Tile tile(setting);
-            insert_in_streams(tile, plates, random);
-            const Colors result = tile.resolve(backdrop);
-            most = std::max(most, largest_difference(result, expected));
-            if (claim != Agreement::none) expect_agreement(claim, result, expected, bound);
-        }
+        double beyond_bound = shuffled_difference(setting, random);
+        if (setting.method.traits().any_order != Agreement::none) return;
         // Few samples may be drawn alike whoever came before.
-        if (claim == Agreement::none && !(setting.method.row->random && setting.set->count < 16)) {
-            EXPECT_GT(most, bound);
+        if (setting.method.row->random && setting.set->count < 16) return;
+        // Opaque plates in front may hide it; not in front of each of ten.
+        for (int more = 0; more < 9 && beyond_bound <= 0; ++more) {
+            beyond_bound = shuffled_difference(setting, random);
         }
+        EXPECT_GT(beyond_bound, 0);
     });
 }
 

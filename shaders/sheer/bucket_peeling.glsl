@@ -18,7 +18,7 @@
 //   whole rank = bucket_rank(before[bucket_word(bin)], bins[bucket_word(bin)], bin);
 //   whole bucket = bucket_of_rank(rank, total, BUCKETS);
 // After one pass: exact where no bucket has two. Until a pass finds nothing: exact.
-// Needs prelude.glsl, over.glsl, bits.glsl, layers.glsl, depth_peeling.glsl.
+// Needs prelude.glsl, bits.glsl.
 
 struct BucketRange {
     real nearest;

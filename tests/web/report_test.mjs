@@ -271,7 +271,7 @@ try {
   const made = makeReport();
   const context = await browser.newContext({viewport: {width: 1200, height: 900}});
   await context.setOffline(true);
-  context.setDefaultTimeout(5000);
+  context.setDefaultTimeout(60000);
   const page = await context.newPage();
   const faults = [];
   watch(page, faults);
