@@ -219,10 +219,8 @@ private:
         const auto lanes = static_cast<std::uint32_t>(word >> (s & 31) & ((1ull << L::kCount) - 1));
         for (std::uint32_t left = lanes; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            const float offset =
-                set_.offset_x[s + lane] * run.depth.dx + set_.offset_y[s + lane] * run.depth.dy;
-            const float depth = std::clamp(o.depth + offset, run.depth.least, run.depth.most);
-            maker.add(lane, depth, run.primitive, o.opacity);
+            maker.add(lane, sample_depth_at(run.depth, set_, o.depth, s + lane), run.primitive,
+                      o.opacity);
         }
     }
 

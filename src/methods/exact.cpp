@@ -207,8 +207,7 @@ struct ExactStore {
             const Layer& layer = begin[i];
             const DepthPlane& plane = runs[layer.run].depth;
             const auto s = static_cast<std::size_t>(std::countr_zero(layer.bits()));
-            const float offset = set.offset_x[s] * plane.dx + set.offset_y[s] * plane.dy;
-            const float depth = std::clamp(layer.depth + offset, plane.least, plane.most);
+            const float depth = sample_depth_at(plane, set, layer.depth, s);
             const std::uint64_t key = ordered_bits(depth) << 32 | i;
             if (size <= kInsertionSortMost) {
                 insert_sorted(keys.data(), i, key);

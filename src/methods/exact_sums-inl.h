@@ -31,6 +31,11 @@ HWY_INLINE std::int64_t add_wrapping(std::int64_t a, std::int64_t b)
     return static_cast<std::int64_t>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
 }
 
+HWY_INLINE void add_all(const AlignedArray<std::int64_t>& from, AlignedArray<std::int64_t>& to)
+{
+    for (std::size_t i = 0; i < to.size(); ++i) to[i] = add_wrapping(to[i], from[i]);
+}
+
 template <class W>
 HWY_INLINE typename W::whole exact_units(typename W::real x, const ExactGrid& grid)
 {

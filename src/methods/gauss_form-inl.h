@@ -33,13 +33,6 @@ struct SecularText {
 #include "sheer/circle_fraction.glsl"
 };
 
-// Where the depths are too small for the grid of their sums there is nothing to divide.
-template <class W>
-HWY_INLINE typename W::real depth_divisor(typename W::real depth)
-{
-    return W::max(depth, typename W::real(0x1p-38));
-}
-
 // Points, strengths and shares, Half each.
 template <int Half, class W>
 HWY_INLINE void save_rule(const typename GaussText<W>::GaussRule& rule, float* state,

@@ -88,8 +88,7 @@ private:
         using Wide = PowerMomentsText<W>;
         using Text = MomentText<Lanes<W::kCount>>;
         typename Wide::PowerMoments m;
-        // Where the depths are too small for the grid of their sums there is nothing to divide.
-        const Real divisor = W::max(sums[0], Real(0x1p-38));
+        const Real divisor = depth_divisor<W>(sums[0]);
         for (std::size_t k = 0; k < kSums; ++k) m.m[k] = sums[k] / divisor;
         if (settings_.format == MomentFormat::fp16 || settings_.format == MomentFormat::unorm16) {
             in_format<W>(m.m);

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "methods/depth_range.h"
+#include "methods/exact_sums-inl.h"
 #include "methods/nearest_samples-inl.h"
 #include "raster/sample_depth-inl.h"
 
@@ -29,6 +30,13 @@ struct TransmittanceText {
 // Sums are exact (exact_sums-inl.h), so that no order shows: those of the function in 2^-38 of an
 // optical depth, those of colours in 2^-48 of a power of two above the tile's brightest.
 inline constexpr int kDepthBits = 38, kColorBits = 48;
+
+// Where the depths are too small for the grid of their sums there is nothing to divide.
+template <class W>
+HWY_INLINE typename W::real depth_divisor(typename W::real depth)
+{
+    return W::max(depth, typename W::real(0x1p-38));
+}
 
 // Of each sample the nearest fragment with opacity 1; of the tile the brightest colour. A pass of
 // its own finds them. 20 bytes a sample, and 1 a pixel.
@@ -97,26 +105,16 @@ public:
     {
         for (int r = 0; r < f.run_count; ++r) {
             const FragmentRun& run = f.runs[r];
-            const Real least(run.depth.least), most(run.depth.most);
             for (std::size_t i = run.first; i < run.first + run.count; i += Block::kCount) {
-                // The plane at the centre of a pixel at the triangle's edge may lie behind the eye.
-                const Real at_center = Real::load(f.depth.data() + i);
-                const Real depth = Block::min(Block::max(at_center, least), most);
-                TransmittanceText<Block>::warped_depth(range_.is_distance, depth, Real(range_.from),
-                                                       Real(range_.scale))
+                TransmittanceText<Block>::warped_depth(
+                    range_.is_distance, depth_at_centers<Block>(run.depth, f.depth.data() + i),
+                    Real(range_.from), Real(range_.scale))
                     .store(places_.data() + i);
             }
             if (any_opaque_) leave_out_hidden(f, run);
         }
     }
     const float* places() const { return places_.data(); }
-    float place(float depth) const
-    {
-        using One = Lanes<1>::real;
-        return TransmittanceText<Lanes<1>>::warped_depth(range_.is_distance, One(depth),
-                                                         One(range_.from), One(range_.scale))
-            .greatest();
-    }
     // Samples s, s + 1, ... at which fragment i counts, from bit 0 on.
     HWY_INLINE std::uint32_t samples(const FragmentStream& f, std::size_t i, std::size_t s) const
     {
@@ -125,12 +123,12 @@ public:
     }
 
     bool touched(std::size_t pixel) const { return touched_[pixel] != 0; }
-    // No colour is above 2 to this power, but for those that no picture has.
-    int brightest_exponent() const
+    // No colour is above 2 to the exponent's power, but for those that no picture has.
+    ExactGrid color_grid() const
     {
         int exponent = 0;
         std::frexp(std::min(brightest_, 1e37f), &exponent);
-        return std::max(exponent, -60);
+        return ExactGrid(std::max(exponent, -60) - kColorBits);
     }
 
     // The backdrop or what is opaque before it; `through`, of what lies before that, becomes 0

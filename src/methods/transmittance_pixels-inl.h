@@ -80,7 +80,7 @@ public:
     void resolve(SampleColors& backdrop)
     {
         for (; pass_ <= moment_passes_; ++pass_) finish_pass();
-        const ExactGrid weights(-kColorBits), colors = color_grid();
+        const ExactGrid weights(-kColorBits), colors = fragments_.color_grid();
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
             if (!fragments_.touched(pixel)) {
                 // What the last tile left there.
@@ -100,14 +100,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t kChunk = 64;  // fragments at a time, in the nearest cache
-
     std::size_t count() const { return sample_count<S>(set_.count); }
-    ExactGrid color_grid() const { return ExactGrid(fragments_.brightest_exponent() - kColorBits); }
-    static void add_all(const AlignedArray<std::int64_t>& from, AlignedArray<std::int64_t>& to)
-    {
-        for (std::size_t i = 0; i < to.size(); ++i) to[i] = add_wrapping(to[i], from[i]);
-    }
 
     HWY_INLINE void resolve(SampleColors& backdrop, std::size_t pixel, std::size_t s, real3 color,
                             real weight) const
@@ -217,7 +210,7 @@ private:
 
     HWY_INLINE void add_colors(const FragmentStream& f, std::size_t first, std::size_t some)
     {
-        const ExactGrid weights(-kColorBits), colors = color_grid();
+        const ExactGrid weights(-kColorBits), colors = fragments_.color_grid();
         alignas(64) std::int64_t units[4][kChunk];
         for (std::size_t i = 0; i < some; i += Block::kCount) {
             const Real opacity = Real::load(f.opacity.data() + first + i);

@@ -19,7 +19,6 @@
 #define SHEER_TRANSMITTANCE_SAMPLES_INL_H
 #endif
 
-#include "methods/exact_sums-inl.h"
 #include "methods/translucent-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -30,6 +29,8 @@ concept SparseFunction = requires
 {
     Function::kTouched;
 };
+
+inline constexpr std::size_t kChunk = 64;  // fragments at a time, in the nearest cache
 
 // How many numbers a fragment adds.
 template <class Function>
@@ -134,15 +135,13 @@ public:
     void merge(const TransmittanceSamples& other)
     {
         fragments_.merge(other.fragments_);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(sums_.size()); ++i) {
-            sums_[i] = add_wrapping(sums_[i], other.sums_[i]);
-        }
+        add_all(other.sums_, sums_);
     }
 
     void resolve(SampleColors& backdrop)
     {
         for (; pass_ <= moment_passes_; ++pass_) finish_pass();
-        const ExactGrid weights(-kColorBits), colors = color_grid();
+        const ExactGrid weights(-kColorBits), colors = fragments_.color_grid();
         for_each_touched<L>([&](std::size_t pixel, std::size_t s) HWY_ATTR {
             const std::int64_t* sums = sums_of(pixel, s);
             const real3 color{exact_sum_as_float<L, W>(sums, colors),
@@ -160,8 +159,6 @@ public:
     }
 
 private:
-    static constexpr std::size_t kChunk = 64;  // fragments at a time, in the nearest cache
-
     std::size_t count() const { return sample_count<S>(set_.count); }
     std::int64_t* sums_of(std::size_t pixel, std::size_t s)
     {
@@ -171,7 +168,6 @@ private:
     {
         return state_.data() + pixel * (kState + 1) * count() + s;
     }
-    ExactGrid color_grid() const { return ExactGrid(fragments_.brightest_exponent() - kColorBits); }
     // Calls visit(pixel, s) for each vector of samples of a pixel that has fragments.
     template <class Vector, class Visit>
     HWY_INLINE void for_each_touched(Visit&& visit)
@@ -275,7 +271,7 @@ private:
     template <int Samples>
     HWY_INLINE void add_colors(const FragmentStream& f)
     {
-        const ExactGrid weights(-kColorBits), colors = color_grid();
+        const ExactGrid weights(-kColorBits), colors = fragments_.color_grid();
         for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
             std::int64_t* sums = sums_.data() + f.pixel[i] * kSums * Samples;
             for (std::size_t s = 0; s < Samples; s += L::kCount) {

@@ -8,6 +8,7 @@
 
 #include "lanes/lanes-inl.h"
 #include "methods/method.h"
+#include "raster/sample_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -34,11 +35,8 @@ HWY_INLINE void weigh_fragments(const FragmentStream& f, const EyeSpace& eye,
     using Real = WeightBlock::real;
     for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
         const FragmentRun& run = f.runs[r];
-        const Real least(run.depth.least), most(run.depth.most);
         for (std::size_t i = run.first; i < run.first + run.count; i += WeightBlock::kCount) {
-            // The plane at the centre of a pixel at the triangle's edge may lie behind the eye.
-            const Real at_center = Real::load(f.depth.data() + i);
-            const Real depth = WeightBlock::min(WeightBlock::max(at_center, least), most);
+            const Real depth = depth_at_centers<WeightBlock>(run.depth, f.depth.data() + i);
             const Real z = eye.orthographic ? depth : Real(-1.0f) / depth;
             weigh(depth, z, Real::load(f.opacity.data() + i)).store(weights.data() + i);
         }

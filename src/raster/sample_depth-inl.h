@@ -6,6 +6,8 @@
 #define SHEER_SAMPLE_DEPTH_INL_H
 #endif
 
+#include <algorithm>
+
 #include "lanes/lanes-inl.h"
 #include "raster/depth_plane.h"
 
@@ -38,6 +40,23 @@ HWY_INLINE typename L::real sample_depth(const DepthPlane& plane, const SampleSe
                                          float center, std::size_t first)
 {
     return sample_depth<L>(plane, sample_depth_offset<L>(plane, set, first), center);
+}
+
+// At the centres of pixels, one a lane, from the plane's values there: that of a pixel at the
+// triangle's edge may lie behind the eye.
+template <class L>
+HWY_INLINE typename L::real depth_at_centers(const DepthPlane& plane, const float* centers)
+{
+    using real = typename L::real;
+    return L::min(L::max(real::load(centers), real(plane.least)), real(plane.most));
+}
+
+// Of sample s alone: the same bits as in lanes.
+HWY_INLINE float sample_depth_at(const DepthPlane& plane, const SampleSet& set, float center,
+                                 std::size_t s)
+{
+    const float offset = set.offset_x[s] * plane.dx + set.offset_y[s] * plane.dy;
+    return std::clamp(center + offset, plane.least, plane.most);
 }
 
 }  // namespace sheer::HWY_NAMESPACE
