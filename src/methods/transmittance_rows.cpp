@@ -26,6 +26,11 @@ constexpr Parameter kStore = {
     "a function for each sample, or one for each pixel, of which fragments take the part that they "
     "cover"};
 
+ContinuumPlace sums_of(const char* what)
+{
+    return {"always", what, "sums", "the weighted mean of all, by total opacity"};
+}
+
 // `sums` of exact numbers and `state` of floats.
 MethodTraits transmittance_traits(int moment_passes, int sums, int state, bool of_pixels = false)
 {
@@ -103,8 +108,7 @@ MethodRow moment_row()
         {.id = "moment",
          .title = "Moment transparency: transmittance from four moments of optical depth",
          .citation = "Sharpe. Moment Transparency. HPG 2018",
-         .continuum = {"always", "four moments of optical depth, no layer", "sums",
-                       "the weighted mean of all, by total opacity"},
+         .continuum = sums_of("four moments of optical depth, no layer"),
          .parameters =
              {{"overestimation", "0.0..1.0|adaptive", "0.25",
                "between the least and the most that may lie before a fragment; adaptive: less "
@@ -145,8 +149,7 @@ MethodRow fourier_row()
         {.id = "fourier",
          .title = "Fourier opacity maps: optical depth as a Fourier series over depth",
          .citation = "Jansen and Bavoil. Fourier Opacity Mapping. I3D 2010",
-         .continuum = {"always", "a Fourier series of optical depth, no layer", "sums",
-                       "the weighted mean of all, by total opacity"},
+         .continuum = sums_of("a Fourier series of optical depth, no layer"),
          .parameters = {{"terms", "3|7", "7", "of the series, besides the constant one"},
                         {"window", "none|lanczos", "none", "what damps the highest terms"},
                         kRange},
@@ -162,8 +165,7 @@ MethodRow mboit_row()
          .title = "Moment-based: transmittance from four, six or eight moments",
          .citation = "Muenstermann, Krumpen, Klein and Peters. Moment-Based Order-Independent "
                      "Transparency. I3D 2018",
-         .continuum = {"always", "four to eight moments of optical depth, no layer", "sums",
-                       "the weighted mean of all, by total opacity"},
+         .continuum = sums_of("four to eight moments of optical depth, no layer"),
          .parameters = {{"moments", "4|6|8", "4",
                          "how many numbers; trigonometric ones are two each"},
                         {"basis", "power|trigonometric", "power", "what they are moments of"},
@@ -181,8 +183,7 @@ MethodRow wavelet_row()
         {.id = "wavelet",
          .title = "Wavelet transparency: optical depth as a series of Haar's wavelets over depth",
          .citation = "Aizenshtein, Smal and McGuire. Wavelet Transparency. 2022",
-         .continuum = {"always", "wavelets of optical depth, no layer", "sums",
-                       "the weighted mean of all, by total opacity"},
+         .continuum = sums_of("wavelets of optical depth, no layer"),
          .parameters = {{"rank", "2..4", "3", "of the tree; it has 2^(rank + 1) cells"}, kRange},
          .traits = {},
          .verbs = wavelet_verbs,
