@@ -19,7 +19,9 @@
 #include "compare/comparison.h"
 #include "compare/error_map.h"
 #include "compare/probes.h"
+#include "compare/report/report.h"
 #include "compare/truth.h"
+#include "image/png.h"
 #include "image/write_image.h"
 #include "methods/method.h"
 #include "support/memory.h"
@@ -155,22 +157,31 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     return result;
 }
 
-double write_pictures(const CompareRequest& request, const Result& result)
+// Returns it as an address too.
+std::string write_png(const std::string& path, const Image& image)
+{
+    const std::vector<std::byte> png = encode_png(image);
+    write_whole_file(path, png);
+    return png_address(png);
+}
+
+ReportPictures write_pictures(const CompareRequest& request, const Result& result)
 {
     const auto in_folder = [&](const std::string& name) { return request.folder + "/" + name; };
-    double scale = 0;
+    ReportPictures pictures;
     for (const Compared& c : result.all) {
-        scale = std::max(scale, error_scale(c.image, result.truth));
+        pictures.scale = std::max(pictures.scale, error_scale(c.image, result.truth));
     }
     write_image(in_folder("truth.exr"), result.truth);
-    write_image(in_folder("truth.png"), result.truth);
+    pictures.truth = write_png(in_folder("truth.png"), result.truth);
     for (const Compared& c : result.all) {
         const std::string stem = in_folder(file_stem(c));
         write_image(stem + ".exr", c.image);
-        write_image(stem + ".png", c.image);
-        write_image(stem + ".error.png", error_map(c.image, result.truth, scale));
+        pictures.of_rows.push_back(
+            {write_png(stem + ".png", c.image),
+             write_png(stem + ".error.png", error_map(c.image, result.truth, pictures.scale))});
     }
-    return scale;
+    return pictures;
 }
 
 void write_text(const std::string& path, const std::string& text)
@@ -186,7 +197,8 @@ void run_compare(CompareRequest request)
     make_folder(request.folder);
     check_folder(request);
     const Result result = compare_all(scene, request);
-    const double scale = write_pictures(request, result);
+    ReportPictures pictures = write_pictures(request, result);
+    const double scale = pictures.scale;
 
     std::vector<MetricsRow> rows;
     for (const Compared& c : result.all) rows.push_back({c, file_stem(c)});
@@ -201,9 +213,10 @@ void run_compare(CompareRequest request)
                compare_html({.scene = request.scene.source,
                              .command = request.command,
                              .shared_words = request.shared_words,
-                             .truth = result.truth,
+                             .width = result.truth.width,
+                             .height = result.truth.height,
                              .truth_samples = truth_samples(request.given.view),
-                             .scale = scale,
+                             .pictures = std::move(pictures),
                              .rows = rows,
                              .probes = result.probes}));
     print(request.json ? json_text(json)

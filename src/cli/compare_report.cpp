@@ -2,12 +2,12 @@
 #include "cli/compare_report.h"
 
 #include <charconv>
+#include <utility>
 
 #include "cli/command_words.h"
 #include "compare/error_map.h"
 #include "compare/report/report.h"
 #include "image/color.h"
-#include "image/png.h"
 
 namespace sheer {
 
@@ -58,29 +58,29 @@ Json probes_json(const std::vector<Probe>& probes)
 
 }  // namespace
 
-std::string compare_html(const CompareReport& report)
+std::string compare_html(CompareReport report)
 {
     Json results = metrics_json(report.rows);
     for (std::size_t i = 0; i < report.rows.size(); ++i) {
         const MetricsRow& row = report.rows[i];
-        const Image map = error_map(row.compared.image, report.truth, report.scale);
+        ReportPictures::OfRow& pictures = report.pictures.of_rows[i];
         results[i]["name"] = row.compared.method;  // with the parameters as they were given
         results[i]["command"] = render_command(report, row);
-        results[i]["picture"] = png_address(encode_png(row.compared.image));
-        results[i]["error_map"] = png_address(encode_png(map));
+        results[i]["picture"] = std::move(pictures.picture);
+        results[i]["error_map"] = std::move(pictures.error_map);
     }
     Json colors = Json::array();
     for (const auto& color : error_colors()) colors.push_back(color);
     return report_html({{"tool", "sheer " SHEER_VERSION},
                         {"scene", report.scene},
                         {"command", report.command},
-                        {"width", report.truth.width},
-                        {"height", report.truth.height},
+                        {"width", report.width},
+                        {"height", report.height},
                         {"truth",
                          {{"samples", report.truth_samples},
                           {"command", report.command},
-                          {"picture", png_address(encode_png(report.truth))}}},
-                        {"error_map_scale", report.scale},
+                          {"picture", std::move(report.pictures.truth)}}},
+                        {"error_map_scale", report.pictures.scale},
                         {"colors", colors},
                         {"probes", probes_json(report.probes)},
                         {"results", results}});

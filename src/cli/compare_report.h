@@ -4,24 +4,33 @@
 #include <string>
 #include <vector>
 
-#include <sheer/image.h>
-
 #include "cli/metrics_report.h"
 #include "compare/probes.h"
 
 namespace sheer {
 
+// Their addresses (compare/report/report.h).
+struct ReportPictures {
+    struct OfRow {
+        std::string picture, error_map;
+    };
+
+    std::string truth;
+    std::vector<OfRow> of_rows;
+    double scale = 0;  // of the error maps
+};
+
 struct CompareReport {
     std::string scene;
     std::string command;                    // that made all of this
     std::vector<std::string> shared_words;  // of that, what `render` needs too
-    const Image& truth;
+    int width, height;
     int truth_samples;
-    double scale;  // of the error maps
+    ReportPictures pictures;
     const std::vector<MetricsRow>& rows;
     const std::vector<Probe>& probes;
 };
 
-std::string compare_html(const CompareReport& report);
+std::string compare_html(CompareReport report);
 
 }  // namespace sheer
