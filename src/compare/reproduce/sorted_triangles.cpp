@@ -2,11 +2,11 @@
 #include "compare/reproduce/sorted_triangles.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
 #include "scene/camera.h"
+#include "scene/gltf/matrix.h"
 #include "support/vec3.h"
 
 namespace sheer {
@@ -18,38 +18,22 @@ struct PlacedTriangle {
     std::uint32_t object, first;  // index of its mesh
 };
 
-Vec3d column(const Mat4& m, std::size_t i)
-{
-    return {static_cast<double>(m[4 * i]), static_cast<double>(m[4 * i + 1]),
-            static_cast<double>(m[4 * i + 2])};
-}
-
 // What an object's transform does to places and normals.
 struct Placement {
-    Vec3d x, y, z, origin;
-    Vec3d across[3];  // of normals: the transform's cofactors
+    gltf::Matrix matrix;
     bool mirrors;
 
     explicit Placement(const Mat4& m)
-        : x(column(m, 0)),
-          y(column(m, 1)),
-          z(column(m, 2)),
-          origin(column(m, 3)),
-          across{cross(y, z), cross(z, x), cross(x, y)},
-          mirrors(dot(x, across[0]) < 0)
     {
+        std::copy(m.begin(), m.end(), matrix.begin());
+        mirrors = gltf::determinant(matrix) < 0;
     }
-    Vec3d place(const Float3& p) const
-    {
-        const Vec3d at = to_vec3d(p);
-        return at.x * x + at.y * y + at.z * z + origin;
-    }
+    Vec3d place(const Float3& p) const { return to_vec3d(gltf::transform_point(matrix, p)); }
     Vec3d normal(const Float3& n) const
     {
-        const Vec3d to = to_vec3d(n);
-        const Vec3d turned = to.x * across[0] + to.y * across[1] + to.z * across[2];
-        return normalized(mirrors ? -1.0 * turned : turned);
+        return normalized(to_vec3d(gltf::transform_normal(matrix, n)));
     }
+    static Vec3d to_vec3d(const gltf::Vec3& v) { return {v[0], v[1], v[2]}; }
 };
 
 std::vector<PlacedTriangle> find_triangles(const Scene& scene, const View& view)

@@ -23,11 +23,12 @@ namespace {
 constexpr const char* kDepthBased = "stochastic:masks=stratified:depth-based=on:correction=on";
 constexpr int kTile = 32;  // pixels
 
-// Mean over red, green and blue of each tile's pixels of the variance over seeds: of all tiles that
-// lie in the picture as a whole.
-std::vector<double> tile_variances(const Image& variance)
+// Of all tiles that lie in the picture as a whole: the largest mean, over a tile's pixels and over
+// red, green and blue, of the variance over seeds.
+double largest_variance(const Moments& moments)
 {
-    std::vector<double> all;
+    const Image& variance = moments.variance;
+    double largest = 0;
     for (int y0 = 0; y0 + kTile <= variance.height; y0 += kTile) {
         for (int x0 = 0; x0 + kTile <= variance.width; x0 += kTile) {
             double sum = 0;
@@ -38,16 +39,10 @@ std::vector<double> tile_variances(const Image& variance)
                     }
                 }
             }
-            all.push_back(sum / (3 * kTile * kTile));
+            largest = std::max(largest, sum / (3 * kTile * kTile));
         }
     }
-    return all;
-}
-
-double largest_variance(const Moments& moments)
-{
-    const std::vector<double> tiles = tile_variances(moments.variance);
-    return *std::max_element(tiles.begin(), tiles.end());
+    return largest;
 }
 
 double noise_of(double variance)
