@@ -5,14 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "methods/fragment_lists.h"
+#include "methods/method_alone.h"
 
 namespace sheer::test {
-
-template <class L>
-struct Texts;
-template <class L>
-struct MethodAlone;
 
 template <class L>
 struct LayersAlone : MethodAlone<L> {

@@ -7,14 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "methods/fragment_lists.h"
+#include "methods/method_alone.h"
 
 namespace sheer::test {
-
-template <class L>
-struct Texts;
-template <class L>
-struct MethodAlone;
 
 // The masks of a pixel's fragments.
 template <class L>

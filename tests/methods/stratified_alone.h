@@ -5,15 +5,10 @@
 #include <limits>
 #include <vector>
 
-#include "methods/fragment_lists.h"
+#include "methods/method_alone.h"
 #include "methods/stratified_settings.h"
 
 namespace sheer::test {
-
-template <class L>
-struct Texts;
-template <class L>
-struct MethodAlone;
 
 // A pixel's samples know of one another: all are drawn before the first is asked for.
 template <class L>

@@ -7,14 +7,9 @@
 #include <vector>
 
 #include "methods/deep_shadow_settings.h"
-#include "methods/fragment_lists.h"
+#include "methods/method_alone.h"
 
 namespace sheer::test {
-
-template <class L>
-struct Texts;
-template <class L>
-struct MethodAlone;
 
 // Distance as a depth buffer between znear and zfar has it.
 inline float in_buffer(const EyeSpace& eye, float z)

@@ -7,15 +7,10 @@
 #include <memory>
 
 #include "methods/depth_range.h"
-#include "methods/fragment_lists.h"
+#include "methods/method_alone.h"
 #include "methods/transmittance_functions.h"
 
 namespace sheer::test {
-
-template <class L>
-struct Texts;
-template <class L>
-struct MethodAlone;
 
 // Of lists that say nothing of how far what is drawn reaches.
 inline DepthRange depth_range_of(const FragmentLists& lists)
