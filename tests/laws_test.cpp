@@ -239,7 +239,7 @@ TEST(Laws, ResultsAreNumbersWithinTheInputs)
         const Colors backdrop = random_backdrop(*setting.set, random);
         // All kinds, all opaque, all nearly nothing, any.
         for (int kind = 0; kind < 4; ++kind) {
-            Plates plates = make.make(300);
+            Plates plates = make.make(120);
             for (Plate& plate : plates) {
                 plate.samples[0] = setting.set->all();
                 const auto at = kind == 0 ? random() % 8 : kind == 1 ? 0 : 4 + random() % 4;

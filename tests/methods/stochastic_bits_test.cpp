@@ -53,7 +53,9 @@ TEST(StochasticBits, OneSeedOnePicture)
             options.simd = Simd::scalar;
             const auto expected = pixels(scene, samples, options);
             for (const Simd level : simd_levels()) {
+                // What threads do does not depend on the level.
                 for (const int threads : {1, 2, 7}) {
+                    if (threads != 2 && level != simd_levels().back()) continue;
                     options.simd = level;
                     options.threads = threads;
                     const Scene& submitted = threads == 2 && any_order ? shuffled : scene;
@@ -73,7 +75,8 @@ TEST(StochasticBits, SeedsDiffer)
     for (const ChosenMethod& method : every_method()) {
         if (method.row->bench_only || is_refused(method, 8)) continue;
         std::set<std::vector<Float4>> different;
-        for (const std::uint64_t seed : {0ull, 1ull, 2ull, 1ull << 32, ~0ull}) {
+        for (const std::uint64_t seed : {0ull, ~0ull, 1ull, 2ull, 1ull << 32}) {
+            if (!method.row->random && different.size() == 2) break;
             Options options;
             options.method = name_of(method);
             options.seed = seed;

@@ -93,8 +93,8 @@ public:
                                       number(errors[2] / errors[0], 2)});
             }
             if (samples == 8) {
-                for (const std::size_t e : {1, 3}) {
-                    for (const std::size_t m : {1, 2}) {
+                for (const std::size_t e : {1u, 3u}) {
+                    for (const std::size_t m : {1u, 2u}) {
                         near.push_back(number(measured.errors[e * std::size(kMasks) + m], 2));
                     }
                 }
