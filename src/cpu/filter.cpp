@@ -29,18 +29,33 @@ float mean(const float* values)
     return sum[0] / static_cast<float>(Count);
 }
 
-using Mean = float (*)(const float*);
+// The means of the pixels of `interior`, row by row.
+template <int Count, int Channels>
+void box(const SampleValues<Channels>& samples, const PixelRect& rect, const PixelRect& interior,
+         PixelValue<Channels>* pixels)
+{
+    for (int y = interior.y0; y < interior.y1; ++y) {
+        for (int x = interior.x0; x < interior.x1; ++x) {
+            const auto pixel = static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
+            for (std::size_t c = 0; c < Channels; ++c) {
+                (*pixels)[c] = mean<Count>(samples.channel(pixel, c));
+            }
+            ++pixels;
+        }
+    }
+}
 
-Mean mean_of(int count)
+template <int Channels>
+auto box_of(int count)
 {
     switch (count) {
-        case 1: return mean<1>;
-        case 2: return mean<2>;
-        case 4: return mean<4>;
-        case 8: return mean<8>;
-        case 16: return mean<16>;
-        case 32: return mean<32>;
-        default: return mean<64>;
+        case 1: return box<1, Channels>;
+        case 2: return box<2, Channels>;
+        case 4: return box<4, Channels>;
+        case 8: return box<8, Channels>;
+        case 16: return box<16, Channels>;
+        case 32: return box<32, Channels>;
+        default: return box<64, Channels>;
     }
 }
 
@@ -82,18 +97,15 @@ template <int Channels>
 void SampleFilter::apply(const SampleValues<Channels>& samples, const PixelRect& rect,
                          const PixelRect& interior, PixelValues<Channels>& pixels) const
 {
-    const Mean mean = mean_of(samples_);
-    pixels.clear();
+    pixels.resize(static_cast<std::size_t>(interior.x1 - interior.x0) *
+                  static_cast<std::size_t>(interior.y1 - interior.y0));
+    if (weights_.empty()) {
+        box_of<Channels>(samples_)(samples, rect, interior, pixels.data());
+        return;
+    }
+    auto pixel = pixels.begin();
     for (int y = interior.y0; y < interior.y1; ++y) {
-        for (int x = interior.x0; x < interior.x1; ++x) {
-            if (!weights_.empty()) {
-                pixels.push_back(gaussian(samples, rect, x, y));
-                continue;
-            }
-            const auto pixel = static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
-            auto& result = pixels.emplace_back();
-            for (std::size_t c = 0; c < Channels; ++c) result[c] = mean(samples.channel(pixel, c));
-        }
+        for (int x = interior.x0; x < interior.x1; ++x) *pixel++ = gaussian(samples, rect, x, y);
     }
 }
 

@@ -1,6 +1,7 @@
 // Streams, passes and halves.
 #include "cpu/tile_passes.h"
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -15,12 +16,23 @@ void fill_backdrop(const OpaqueTile& opaque, const TileSetting& setting, const P
                    SampleColors& colors)
 {
     const auto samples = static_cast<std::size_t>(colors.samples);
+    const PixelRect& rect = setting.job.rect;
+    const auto pixel_at = [&](int x, int y) {
+        return static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
+    };
+    // The background: the first row, and that row's copies.
+    float* first_row = colors.channel(pixel_at(region.x0, region.y0), 0);
+    float* end = first_row;
+    for (int x = region.x0; x < region.x1; ++x) {
+        for (const float channel : setting.background) end = std::fill_n(end, samples, channel);
+    }
+    for (int y = region.y0 + 1; y < region.y1; ++y) {
+        std::copy(first_row, end, colors.channel(pixel_at(region.x0, y), 0));
+    }
+    if (!opaque.any) return;
+
     const float* channels[3] = {opaque.red.data(), opaque.green.data(), opaque.blue.data()};
-    const auto fill_pixel = [&](std::size_t pixel) {
-        for (std::size_t c = 0; c < 4; ++c) {
-            std::fill_n(colors.channel(pixel, c), samples, setting.background[c]);
-        }
-        if (!opaque.any) return;
+    const auto cover_pixel = [&](std::size_t pixel) {
         for (std::size_t s = 0; s < samples; ++s) {
             const std::size_t at = pixel * samples + s;
             if (opaque.depth[at] == std::numeric_limits<float>::infinity()) continue;
@@ -28,11 +40,8 @@ void fill_backdrop(const OpaqueTile& opaque, const TileSetting& setting, const P
             colors.channel(pixel, 3)[s] = 1.0f;
         }
     };
-    const PixelRect& rect = setting.job.rect;
     for (int y = region.y0; y < region.y1; ++y) {
-        for (int x = region.x0; x < region.x1; ++x) {
-            fill_pixel(static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0));
-        }
+        for (int x = region.x0; x < region.x1; ++x) cover_pixel(pixel_at(x, y));
     }
 }
 

@@ -44,9 +44,15 @@ std::int64_t twice_area(const PosedVertex& v0, const PosedVertex& v1, const Pose
            std::int64_t{v2.screen_x - v0.screen_x} * (v1.screen_y - v0.screen_y);
 }
 
+// A chunk while it is made.
+struct NewChunk {
+    TriangleChunk& chunk;
+    TriangleBins bins;
+};
+
 // Culls what faces away or lies between the samples; turns the rest to positive area.
 void add_triangle(const Context& context, const Corner (&corners)[3], std::uint32_t primitive,
-                  std::size_t object, TriangleChunk& chunk)
+                  std::size_t object, NewChunk& made)
 {
     const PosedVertex &v0 = *corners[0].posed, &v1 = *corners[1].posed, &v2 = *corners[2].posed;
     const std::int64_t area = twice_area(v0, v1, v2);
@@ -56,7 +62,8 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
     if (!front && !context.drawn[object].double_sided) return;
     const int order[3] = {0, area > 0 ? 1 : 2, area > 0 ? 2 : 1};
     // In its place: a copy as a whole would wait for each of its parts to be written.
-    Triangle& t = chunk.triangles.emplace_back();
+    std::vector<Triangle>& triangles = made.chunk.triangles;
+    Triangle& t = triangles.emplace_back();
     for (int i = 0; i < 3; ++i) {
         const Corner& c = corners[order[i]];
         t.x[i] = c.posed->screen_x;
@@ -71,7 +78,11 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
     const TileGrid& grid = context.job.grid;
     const bool seen = b.x0 <= b.x1 && b.y0 <= b.y1 && b.x1 >= 0 && b.y1 >= 0 && b.x0 < grid.width &&
                       b.y0 < grid.height;
-    if (!seen) chunk.triangles.pop_back();
+    if (seen) {
+        made.bins.add(t, b, static_cast<std::uint32_t>(triangles.size() - 1));
+    } else {
+        triangles.pop_back();
+    }
 }
 
 // A triangle of the scene: its posed vertices and where their attributes are.
@@ -119,8 +130,9 @@ TextureAttributes mix_texture_attributes(const Context& context, const SourceTri
     return mixed;
 }
 
-void add_clipped(const Context& context, const SourceTriangle& t, TriangleChunk& chunk)
+void add_clipped(const Context& context, const SourceTriangle& t, NewChunk& made)
 {
+    TriangleChunk& chunk = made.chunk;
     const ClippedPolygon polygon =
         clip_triangle(*t.corners[0].posed, *t.corners[1].posed, *t.corners[2].posed, context.map);
     if (polygon.count == 0) return;
@@ -145,7 +157,7 @@ void add_clipped(const Context& context, const SourceTriangle& t, TriangleChunk&
         // Snapping may fold a sliver's corner over; the piece would face the other way.
         const std::int64_t part = twice_area(*at(0).posed, *at(i - 1).posed, *at(i).posed);
         if ((part < 0) == (whole < 0)) {
-            add_triangle(context, corners, t.primitive, t.object, chunk);
+            add_triangle(context, corners, t.primitive, t.object, made);
         }
     }
 }
@@ -185,7 +197,7 @@ void make_flat(const Context& context, const Mesh& mesh, std::size_t triangle, S
     }
 }
 
-void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
+void add_piece(const Context& context, const Piece& piece, NewChunk& made)
 {
     const Scene& scene = context.job.scene;
     const Mesh& mesh = *context.drawn[piece.object].mesh;
@@ -193,7 +205,6 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
         mesh.normals.empty() && scene.materials[mesh.material].shading != Shading::unlit;
     const std::uint32_t first_vertex = context.posed.first_vertex[piece.object];
     const std::uint32_t first_primitive = context.posed.first_primitive[piece.object];
-    chunk.triangles.reserve(piece.end - piece.begin);
     for (std::size_t i = piece.begin; i < piece.end; ++i) {
         SourceTriangle t;
         for (std::size_t k = 0; k < 3; ++k) {
@@ -207,11 +218,11 @@ void add_piece(const Context& context, const Piece& piece, TriangleChunk& chunk)
         if ((outside[0] & outside[1] & outside[2]) != 0 || (crossed & kNowhere) != 0) continue;
         t.primitive = first_primitive + static_cast<std::uint32_t>(i);
         t.object = piece.object;
-        if (flat) make_flat(context, mesh, i, t, chunk);
+        if (flat) make_flat(context, mesh, i, t, made.chunk);
         if (crossed != 0) {
-            add_clipped(context, t, chunk);
+            add_clipped(context, t, made);
         } else {
-            add_triangle(context, t.corners, t.primitive, t.object, chunk);
+            add_triangle(context, t.corners, t.primitive, t.object, made);
         }
     }
 }
@@ -269,8 +280,12 @@ Geometry build_geometry(const GeometryJob& job)
     geometry.chunks.resize(chunks.size());
     const Context context{job, drawn, map, posed};
     parallel_for(job.threads, chunks.size(), [&](std::size_t i, int) {
-        for (const Piece& piece : chunks[i]) add_piece(context, piece, geometry.chunks[i]);
-        bin_triangles(geometry.chunks[i], job.grid, job.samples);
+        std::size_t triangles = 0;
+        for (const Piece& piece : chunks[i]) triangles += piece.end - piece.begin;
+        NewChunk made{geometry.chunks[i], TriangleBins(job.grid, triangles)};
+        made.chunk.triangles.reserve(triangles);
+        for (const Piece& piece : chunks[i]) add_piece(context, piece, made);
+        made.bins.write(made.chunk);
     });
     geometry.attributes = std::move(posed.attributes);
     geometry.texture_attributes = std::move(posed.texture_attributes);

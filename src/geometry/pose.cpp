@@ -2,6 +2,7 @@
 #include "geometry/pose.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 
@@ -21,6 +22,64 @@ int floor_to_int(float x)
 {
     const int whole = static_cast<int>(x);
     return whole - (static_cast<float>(whole) > x ? 1 : 0);
+}
+
+float screen_x(float x, float w, const ScreenMap& map)
+{
+    return x * map.half_width / w + map.half_width;
+}
+
+float screen_y(float y, float w, const ScreenMap& map)
+{
+    return map.half_height - y * map.half_height / w;
+}
+
+// Vertices on their way to the screen, an array for each part of PosedVertex.
+struct VertexBlock {
+    static constexpr std::size_t kMost = 64;
+
+    float x[kMost], y[kMost], distance[kMost], depth[kMost];
+    std::int32_t screen_x[kMost], screen_y[kMost];
+    std::uint32_t outside[kMost];
+};
+
+// Without branches and always of a whole block, so that compilers make vectors of it; where a
+// vertex is outside it computes something else, that is a number.
+template <bool Orthographic>
+void place_on_screen(VertexBlock& b, const ScreenMap& map)
+{
+    constexpr float kFurthest = 1e18f;  // products with what scales to the screen stay finite
+    const ScreenMap m = map;
+    const float guard_x = m.guard_x(), guard_y = m.guard_y();
+    const auto flag = [](bool beyond, Outside plane) { return beyond ? std::uint32_t{plane} : 0u; };
+    for (std::size_t i = 0; i < VertexBlock::kMost; ++i) {
+        const float x = b.x[i], y = b.y[i], distance = b.distance[i];
+        const float w = Orthographic ? 1.0f : distance;
+        // Multiplied out, so that vertices behind the eye are sorted rightly too.
+        const float off_x = x * m.half_width, off_y = y * m.half_height;
+        std::uint32_t outside = 0;
+        outside |= flag(!(std::abs(x) < kFurthest), kNowhere);
+        outside |= flag(!(std::abs(y) < kFurthest), kNowhere);
+        outside |= flag(!(std::abs(distance) < kFurthest), kNowhere);
+        outside |= flag(distance < m.near_depth, kNear);
+        outside |= flag(distance > m.far_depth, kFar);
+        outside |= flag(off_x < -guard_x * w, kLeft);
+        outside |= flag(off_x > guard_x * w, kRight);
+        outside |= flag(off_y > guard_y * w, kTop);
+        outside |= flag(off_y < -guard_y * w, kBottom);
+        b.outside[i] = outside;
+    }
+    float inside_x[VertexBlock::kMost], inside_y[VertexBlock::kMost], inside_w[VertexBlock::kMost];
+    for (std::size_t i = 0; i < VertexBlock::kMost; ++i) {
+        inside_x[i] = b.outside[i] == 0 ? b.x[i] : 0.0f;
+        inside_y[i] = b.outside[i] == 0 ? b.y[i] : 0.0f;
+        inside_w[i] = b.outside[i] == 0 && !Orthographic ? b.distance[i] : 1.0f;
+    }
+    for (std::size_t i = 0; i < VertexBlock::kMost; ++i) {
+        b.screen_x[i] = floor_to_int(screen_x(inside_x[i], inside_w[i], m) + 0.5f);
+        b.screen_y[i] = floor_to_int(screen_y(inside_y[i], inside_w[i], m) + 0.5f);
+        b.depth[i] = Orthographic ? b.distance[i] : -1.0f / inside_w[i];
+    }
 }
 
 struct Matrix {
@@ -105,14 +164,34 @@ ObjectPose pose_object(const Mat4& transform, const Projection& projection, cons
 void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, std::size_t begin,
                 std::size_t end, PosedVertex* vertices, Attributes* attributes)
 {
-    for (std::size_t i = begin; i < end; ++i) {
-        const Float3& p = mesh.positions[i];
-        float v[3];
-        for (int r = 0; r < 3; ++r) {
-            const float* m = pose.position[r];
-            v[r] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+    VertexBlock block{};
+    for (std::size_t first = begin; first < end; first += VertexBlock::kMost) {
+        const std::size_t count = std::min(end - first, VertexBlock::kMost);
+        for (std::size_t i = 0; i < count; ++i) {
+            const Float3& p = mesh.positions[first + i];
+            float v[3];
+            for (int r = 0; r < 3; ++r) {
+                const float* m = pose.position[r];
+                v[r] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
+            }
+            block.x[i] = v[0];
+            block.y[i] = v[1];
+            block.distance[i] = -v[2];
         }
-        vertices[i] = pose_vertex(v[0], v[1], -v[2], map);
+        map.orthographic ? place_on_screen<true>(block, map) : place_on_screen<false>(block, map);
+        for (std::size_t i = 0; i < count; ++i) {
+            PosedVertex& v = vertices[first + i];
+            v.x = block.x[i];
+            v.y = block.y[i];
+            v.w = map.orthographic ? 1.0f : block.distance[i];
+            v.distance = block.distance[i];
+            v.depth = block.depth[i];
+            v.screen_x = block.screen_x[i];
+            v.screen_y = block.screen_y[i];
+            v.outside = block.outside[i];
+        }
+    }
+    for (std::size_t i = begin; i < end; ++i) {
         Attributes& a = attributes[i];
         a.normal = mesh.normals.empty() ? Float3{0, 0, 0} : pose.normal(mesh.normals[i]);
         a.color = mesh.colors.empty() ? Float4{1, 1, 1, 1} : mesh.colors[i];
@@ -183,33 +262,12 @@ ScreenMap::ScreenMap(const Projection& projection, int width, int height)
 {
 }
 
-PosedVertex pose_vertex(float x, float y, float distance, const ScreenMap& map)
-{
-    PosedVertex v{x, y, map.orthographic ? 1.0f : distance, distance, 0, 0, 0, 0};
-    constexpr float kFurthest = 1e18f;  // products with what scales to the screen stay finite
-    const bool somewhere = -kFurthest < x && x < kFurthest && -kFurthest < y && y < kFurthest &&
-                           -kFurthest < distance && distance < kFurthest;
-    if (!somewhere) v.outside |= kNowhere;
-    if (distance < map.near_depth) v.outside |= kNear;
-    if (distance > map.far_depth) v.outside |= kFar;
-    // Multiplied out, so that vertices behind the eye are sorted rightly too.
-    const float off_x = x * map.half_width, off_y = y * map.half_height;
-    if (off_x < -map.guard_x() * v.w) v.outside |= kLeft;
-    if (off_x > map.guard_x() * v.w) v.outside |= kRight;
-    if (off_y > map.guard_y() * v.w) v.outside |= kTop;
-    if (off_y < -map.guard_y() * v.w) v.outside |= kBottom;
-    if (v.outside == 0) snap_vertex(v, map);
-    return v;
-}
-
 void snap_vertex(PosedVertex& v, const ScreenMap& map)
 {
-    const float screen_x = v.x * map.half_width / v.w + map.half_width;
-    const float screen_y = map.half_height - v.y * map.half_height / v.w;
     // Clipping leaves it inside, but where the cut's own rounding is larger than the picture.
     constexpr float kMost = 8388607.0f;  // 2^23 - 1
-    v.screen_x = floor_to_int(std::clamp(screen_x + 0.5f, -kMost, kMost));
-    v.screen_y = floor_to_int(std::clamp(screen_y + 0.5f, -kMost, kMost));
+    v.screen_x = floor_to_int(std::clamp(screen_x(v.x, v.w, map) + 0.5f, -kMost, kMost));
+    v.screen_y = floor_to_int(std::clamp(screen_y(v.y, v.w, map) + 0.5f, -kMost, kMost));
     v.depth = map.orthographic ? v.distance : -1.0f / v.distance;
 }
 

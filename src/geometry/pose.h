@@ -9,6 +9,7 @@
 #include "geometry/drawn_objects.h"
 #include "geometry/triangles.h"
 #include "scene/camera.h"
+#include "support/unfilled.h"
 
 namespace sheer {
 
@@ -43,14 +44,12 @@ enum Outside : std::uint32_t {
 struct PosedVertex {
     float x, y, w;   // view space, scaled: screen position is (x, y) / w (w = 1: orthographic)
     float distance;  // along the axis of view
-    float depth;     // Triangle::depth
-    std::int32_t screen_x, screen_y;  // subpixels; valid where outside == 0
+    // These three are valid where outside == 0. A vertex at the same place always comes out with
+    // the same bits, so shared vertices stay shared.
+    float depth;                      // Triangle::depth
+    std::int32_t screen_x, screen_y;  // subpixels
     std::uint32_t outside;
 };
-
-// `x`, `y` scaled by ScreenMap::scale; sets the rest. A snapped vertex at the same place always
-// comes out with the same bits, so shared vertices stay shared.
-PosedVertex pose_vertex(float x, float y, float distance, const ScreenMap& map);
 
 // Fills in screen_x, screen_y and depth from the rest, for a vertex inside all planes.
 void snap_vertex(PosedVertex& v, const ScreenMap& map);
@@ -70,8 +69,8 @@ struct NormalMatrix {
 };
 
 struct PosedScene {
-    std::vector<PosedVertex> vertices;
-    std::vector<Attributes> attributes;                 // of the same vertices
+    UnfilledVector<PosedVertex> vertices;
+    UnfilledVector<Attributes> attributes;              // of the same vertices
     std::vector<TextureAttributes> texture_attributes;  // likewise, or empty
     std::vector<std::uint32_t> first_vertex;            // of each object
     std::vector<std::uint32_t> first_primitive;  // of each object: primitive ids follow Object::id

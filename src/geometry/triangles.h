@@ -8,6 +8,8 @@
 
 #include <sheer/scene.h>
 
+#include "support/unfilled.h"
+
 namespace sheer {
 
 inline constexpr int kSubpixelBits = 8;
@@ -70,7 +72,7 @@ struct Eye {
 };
 
 struct Geometry {
-    std::vector<Attributes> attributes;
+    UnfilledVector<Attributes> attributes;
     // Like `attributes`; empty where no mesh has texture coordinates.
     std::vector<TextureAttributes> texture_attributes;
     std::vector<TriangleChunk> chunks;

@@ -26,7 +26,14 @@ public:
     const std::vector<std::uint8_t>& count(Geometry& geometry, TargetSet targets)
     {
         if (geometry.attributes.empty()) geometry.attributes.resize(1);
-        for (TriangleChunk& chunk : geometry.chunks) bin_triangles(chunk, grid_, set_.extent);
+        for (TriangleChunk& chunk : geometry.chunks) {
+            TriangleBins bins(grid_, chunk.triangles.size());
+            std::uint32_t index = 0;
+            for (const Triangle& t : chunk.triangles) {
+                bins.add(t, pixel_bounds(t, set_.extent), index++);
+            }
+            bins.write(chunk);
+        }
         std::fill(counts_.begin(), counts_.end(), std::uint8_t{0});
         OpaqueTile opaque(set_.count, false);
         FragmentStream stream(2048);
