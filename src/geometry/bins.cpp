@@ -9,7 +9,10 @@
 namespace sheer {
 
 TriangleBins::TriangleBins(const TileGrid& grid, std::size_t triangles)
-    : grid_(grid), columns_(grid.columns()), counts_(static_cast<std::size_t>(grid.count()))
+    : grid_(grid),
+      lookup_(grid),
+      columns_(grid.columns()),
+      counts_(static_cast<std::size_t>(grid.count()))
 {
     pairs_.reserve(triangles * 2);
 }

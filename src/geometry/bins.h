@@ -19,10 +19,10 @@ public:
     // Triangle number `index`, whose bounds meet the picture.
     void add(const Triangle& t, const PixelBounds& bounds, std::uint32_t index)
     {
-        const int column0 = grid_.first_column(std::max(bounds.x0, 0));
-        const int column1 = grid_.last_column(std::min(bounds.x1, grid_.width - 1));
-        const int row0 = grid_.first_row(std::max(bounds.y0, 0));
-        const int row1 = grid_.last_row(std::min(bounds.y1, grid_.height - 1));
+        const int column0 = lookup_.first_column(std::max(bounds.x0, 0));
+        const int column1 = lookup_.last_column(std::min(bounds.x1, grid_.width - 1));
+        const int row0 = lookup_.first_row(std::max(bounds.y0, 0));
+        const int row1 = lookup_.last_row(std::min(bounds.y1, grid_.height - 1));
         const bool large = column1 > column0 + 1 || row1 > row0 + 1;
         for (int row = row0; row <= row1; ++row) {
             for (int column = column0; column <= column1; ++column) {
@@ -47,6 +47,7 @@ private:
     bool misses(const Triangle& t, int tile) const;
 
     const TileGrid grid_;
+    const TileLookup lookup_;
     const int columns_;
     std::vector<Pair> pairs_;
     std::vector<std::uint32_t> counts_;  // of each tile

@@ -62,7 +62,7 @@ void add_triangle(const Context& context, const Corner (&corners)[3], std::uint3
     if (!front && !context.drawn[object].double_sided) return;
     const int order[3] = {0, area > 0 ? 1 : 2, area > 0 ? 2 : 1};
     // In its place: a copy as a whole would wait for each of its parts to be written.
-    std::vector<Triangle>& triangles = made.chunk.triangles;
+    UnfilledVector<Triangle>& triangles = made.chunk.triangles;
     Triangle& t = triangles.emplace_back();
     for (int i = 0; i < 3; ++i) {
         const Corner& c = corners[order[i]];

@@ -161,6 +161,19 @@ ObjectPose pose_object(const Mat4& transform, const Projection& projection, cons
     return pose;
 }
 
+// From object space.
+void move_to_view(VertexBlock& b, const ObjectPose& pose)
+{
+    float m[3][4];
+    std::copy_n(&pose.position[0][0], 12, &m[0][0]);
+    for (std::size_t i = 0; i < VertexBlock::kMost; ++i) {
+        const float x = b.x[i], y = b.y[i], z = b.distance[i];
+        b.x[i] = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3];
+        b.y[i] = m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3];
+        b.distance[i] = -(m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]);
+    }
+}
+
 void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, std::size_t begin,
                 std::size_t end, PosedVertex* vertices, Attributes* attributes)
 {
@@ -169,15 +182,11 @@ void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, 
         const std::size_t count = std::min(end - first, VertexBlock::kMost);
         for (std::size_t i = 0; i < count; ++i) {
             const Float3& p = mesh.positions[first + i];
-            float v[3];
-            for (int r = 0; r < 3; ++r) {
-                const float* m = pose.position[r];
-                v[r] = m[0] * p[0] + m[1] * p[1] + m[2] * p[2] + m[3];
-            }
-            block.x[i] = v[0];
-            block.y[i] = v[1];
-            block.distance[i] = -v[2];
+            block.x[i] = p[0];
+            block.y[i] = p[1];
+            block.distance[i] = p[2];
         }
+        move_to_view(block, pose);
         map.orthographic ? place_on_screen<true>(block, map) : place_on_screen<false>(block, map);
         for (std::size_t i = 0; i < count; ++i) {
             PosedVertex& v = vertices[first + i];
@@ -191,10 +200,12 @@ void pose_range(const Mesh& mesh, const ObjectPose& pose, const ScreenMap& map, 
             v.outside = block.outside[i];
         }
     }
+    const NormalMatrix to_world = pose.normal;  // that no attribute's writing can change
+    const bool has_normals = !mesh.normals.empty(), has_colors = !mesh.colors.empty();
     for (std::size_t i = begin; i < end; ++i) {
         Attributes& a = attributes[i];
-        a.normal = mesh.normals.empty() ? Float3{0, 0, 0} : pose.normal(mesh.normals[i]);
-        a.color = mesh.colors.empty() ? Float4{1, 1, 1, 1} : mesh.colors[i];
+        a.normal = has_normals ? to_world(mesh.normals[i]) : Float3{0, 0, 0};
+        a.color = has_colors ? mesh.colors[i] : Float4{1, 1, 1, 1};
     }
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 
 namespace sheer {
 
@@ -38,20 +39,34 @@ struct TileGrid {
         return {std::max(r.x0 - apron, 0), std::max(r.y0 - apron, 0), std::min(r.x1 + apron, width),
                 std::min(r.y1 + apron, height)};
     }
-    // Of the tiles whose rect holds pixel column x, the first and the last.
-    int first_column(int x) const { return steps_in(std::max(x - apron, 0)); }
-    int last_column(int x) const { return std::min(steps_in(x + apron), columns() - 1); }
-    int first_row(int y) const { return steps_in(std::max(y - apron, 0)); }
-    int last_row(int y) const { return std::min(steps_in(y + apron), rows() - 1); }
+};
+
+// Which tiles' rects hold a pixel column or row.
+class TileLookup {
+public:
+    explicit TileLookup(const TileGrid& grid)
+        : apron_(grid.apron),
+          last_column_(grid.columns() - 1),
+          last_row_(grid.rows() - 1),
+          reciprocal_((std::uint64_t{1} << 32) / static_cast<std::uint64_t>(grid.step()) + 1)
+    {
+    }
+    int first_column(int x) const { return steps_in(std::max(x - apron_, 0)); }
+    int last_column(int x) const { return std::min(steps_in(x + apron_), last_column_); }
+    int first_row(int y) const { return steps_in(std::max(y - apron_, 0)); }
+    int last_row(int y) const { return std::min(steps_in(y + apron_), last_row_); }
 
 private:
-    // x / step(), of x below 2^18, where the half keeps rounding from every whole number: a
-    // division of integers takes most of the time of sorting triangles into tiles.
+    // x / step, of x below 2^18: the reciprocal is too large by less than 1, the product by less
+    // than 2^-14, which is less than 1 / step. A division takes most of the time of sorting
+    // triangles into tiles.
     int steps_in(int x) const
     {
-        return static_cast<int>((static_cast<float>(x) + 0.5f) *
-                                (1.0f / static_cast<float>(step())));
+        return static_cast<int>((static_cast<std::uint64_t>(x) * reciprocal_) >> 32);
     }
+
+    int apron_, last_column_, last_row_;
+    std::uint64_t reciprocal_;  // 2^32 / step, rounded up
 };
 
 }  // namespace sheer

@@ -50,7 +50,7 @@ struct SampleExtent {
 
 // Triangles in their order of submission, cut into chunks that were made independently.
 struct TriangleChunk {
-    std::vector<Triangle> triangles;
+    UnfilledVector<Triangle> triangles;
     std::vector<Attributes> own;  // of vertices that clipping made, and of flat triangles
     std::vector<TextureAttributes> own_texture_attributes;  // like `own`, or empty
     // Triangles that touch tile t: tile_triangles[tile_begin[t] .. tile_begin[t + 1]), in order.
