@@ -6,8 +6,8 @@
 //   tail = hybrid_add(tail, f, beyond_any);
 // `kind` 0: the tail is as opaque as its n fragments would be if they were alike (Maule et al.).
 // 1: as opaque as it is (Wyman. Exploring and Expanding the Continuum of OIT Algorithms. HPG 2016).
-// 2: its colour is not seen, and the core's is scaled to what all fragments cover.
-// Exact for up to LAYERS + 1 fragments, kind 2 for LAYERS; any order.
+// 2: it is not there. 3: its colour is not seen, and the core's is scaled to what all fragments
+// cover. Exact for up to LAYERS + 1 fragments, kinds 2 and 3 for LAYERS; any order.
 // Needs prelude.glsl, over.glsl, weighted_average.glsl, layers.glsl.
 
 struct HybridTail {
@@ -44,6 +44,7 @@ SHEER_FN HybridTail hybrid_merge(HybridTail a, HybridTail b)
 SHEER_FN real hybrid_tail_transmittance(int kind, HybridTail tail)
 {
     if (kind == 0) return weighted_average_transmittance(tail.sum);
+    if (kind == 2) return real(1.0f);
     return tail.transmittance;
 }
 
@@ -63,7 +64,8 @@ SHEER_FN real3 hybrid_scaled(real3 color, real weight, real transmittance)
 // `core`: the layers, one over the other.
 SHEER_FN real3 hybrid_resolve(int kind, Layer core, HybridTail tail, real3 backdrop)
 {
-    if (kind == 2) {
+    if (kind == 2) return layer_resolve(core, backdrop);
+    if (kind == 3) {
         real through = hybrid_transmittance(kind, core, tail);
         return over(hybrid_scaled(core.color, core.opacity, through), through, backdrop);
     }

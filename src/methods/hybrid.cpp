@@ -105,7 +105,7 @@ private:
 
     static int kind_of(const std::string& tail)
     {
-        return tail == "maule" ? 0 : tail == "total" ? 1 : 2;
+        return tail == "maule" ? 0 : tail == "total" ? 1 : tail == "none" ? 2 : 3;
     }
 
     int kind_;

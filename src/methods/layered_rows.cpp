@@ -55,7 +55,9 @@ MethodTraits hybrid_traits(const ChosenMethod& method)
     traits.bytes_per_sample += 24;
     traits.any_order = Agreement::rounding;
     traits.merge = Agreement::rounding;
-    if (method.value("tail") != "none") ++traits.exact_up_to;
+    const std::string& tail = method.value("tail");
+    if (tail == "none") traits.any_order = traits.merge = Agreement::bits;
+    if (tail == "maule" || tail == "total") ++traits.exact_up_to;
     return traits;
 }
 
@@ -218,9 +220,9 @@ MethodRow hybrid_row()
          .continuum = {"always", "K layers", "the farthest is discarded",
                        "the opacity-weighted mean of what was discarded"},
          .parameters = {kLayers,
-                        {"tail", "maule|total|none", "maule",
-                         "how opaque the others are: as equal ones would be, as they are; or the "
-                         "layers' colour is scaled to what all cover"}},
+                        {"tail", "maule|total|none|scaled", "maule",
+                         "how opaque the others are: as equal ones would be, as they are, not at "
+                         "all; or the layers' colour is scaled to what all cover"}},
          .traits = {},
          .verbs = hybrid_verbs,
          .traits_of = hybrid_traits});

@@ -122,7 +122,8 @@ Rgba hybrid(std::span<const Fragment> fragments, int layers, HybridTail tail, Rg
     const std::size_t in_core = std::min(all.size(), static_cast<std::size_t>(layers));
     const auto first_of_tail = all.begin() + static_cast<std::ptrdiff_t>(in_core);
     const Layer core = join_all({all.begin(), first_of_tail});
-    if (tail == HybridTail::none) {
+    if (tail == HybridTail::none) return over(core, backdrop);
+    if (tail == HybridTail::scaled) {
         return over(scaled(core.color, 1 - core.through, join_all(all).through), backdrop);
     }
     double color[3] = {0, 0, 0}, opacity = 0, through = 1;

@@ -22,9 +22,9 @@ enum class KBufferMerge { front, nearest_two, discard };
 Rgba k_buffer(std::span<const Fragment> fragments, int layers, KBufferMerge merge, Rgba backdrop);
 
 // M. Maule et al., "Hybrid transparency", 2013: the nearest `layers` fragments are a core in front
-// of an average of all others. Its opacity: as of n equal layers, or the true one. Without it the
-// core's colour is scaled to what all fragments together cover.
-enum class HybridTail { maule, total, none };
+// of an average of all others. Its opacity: as of n equal layers, the true one, or 0. Scaled: it
+// has no colour, and the core's is scaled to what all fragments together cover.
+enum class HybridTail { maule, total, none, scaled };
 
 Rgba hybrid(std::span<const Fragment> fragments, int layers, HybridTail tail, Rgba backdrop);
 

@@ -32,7 +32,8 @@ inline reference::KBufferMerge merge_of(const std::string& name)
 inline reference::HybridTail tail_of(const std::string& name)
 {
     if (name == "maule") return reference::HybridTail::maule;
-    return name == "total" ? reference::HybridTail::total : reference::HybridTail::none;
+    if (name == "total") return reference::HybridTail::total;
+    return name == "none" ? reference::HybridTail::none : reference::HybridTail::scaled;
 }
 
 // Whether a place among `parts` of the range, of which one rounding of the difference, one of the

@@ -135,7 +135,7 @@ struct KBufferAlone : LayersAlone<L> {
 inline int hybrid_kind(const ChosenMethod& method)
 {
     const std::string& tail = method.value("tail");
-    return tail == "maule" ? 0 : tail == "total" ? 1 : 2;
+    return tail == "maule" ? 0 : tail == "total" ? 1 : tail == "none" ? 2 : 3;
 }
 
 template <class L>

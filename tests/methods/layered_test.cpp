@@ -234,7 +234,8 @@ TEST(Layered, HybridOfFiveLayersInEveryOrder)
                 {"hybrid:tail=total:layers=1", {.730827, .346240, .144267}},
                 {"hybrid:tail=total:layers=2", {.669309, .369309, .105818}},
                 {"hybrid:tail=total:layers=3", {.642800, .342800, .125700}},
-                {"hybrid:tail=none:layers=1", {.9328, 0, 0}}};
+                {"hybrid:tail=none:layers=1", {.5, 0, 0}},
+                {"hybrid:tail=scaled:layers=1", {.9328, 0, 0}}};
     for (const auto& row : rows) {
         SCOPED_TRACE(row.method);
         for_every_order([&](const Plates& plates) {
@@ -244,6 +245,7 @@ TEST(Layered, HybridOfFiveLayersInEveryOrder)
     expect_exact_in_every_order("hybrid");
     expect_exact_in_every_order("hybrid:tail=total");
     expect_exact_in_every_order("hybrid:tail=none:layers=5");
+    expect_exact_in_every_order("hybrid:tail=scaled:layers=5");
 }
 
 // Coincident fragments: the smaller id is in front, whoever comes first.

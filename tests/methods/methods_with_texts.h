@@ -44,6 +44,7 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "hybrid",
     "hybrid:layers=1:tail=total",
     "hybrid:layers=2:tail=none",
+    "hybrid:layers=2:tail=scaled",
     "adaptive",
     "adaptive:nodes=1",
     "adaptive:nodes=3",

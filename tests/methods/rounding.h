@@ -98,8 +98,10 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
     } else if (id == "adaptive") {
         formula = 3 * n + 3 + backdrop;
     } else if (id == "hybrid") {
-        formula = method.value("tail") == "none" ? 2 * (6 * n + 1) + 2 * (5 * n + 2) + 3 + 2
-                                                 : 9 * n + 4 + 2 * (n + 2) + 2 * (4 * n + 1) + 6;
+        formula = method.value("tail") == "none" ? 9 * n + 4
+                  : method.value("tail") == "scaled"
+                      ? 2 * (6 * n + 1) + 2 * (5 * n + 2) + 3 + 2
+                      : 9 * n + 4 + 2 * (n + 2) + 2 * (4 * n + 1) + 6;
     } else if (id == "wboit") {
         weights = 2 * weight_roundings(method.value("weight"));
         formula = weights + 2 * (n + 2) + 2 * n + 6 + backdrop;

@@ -144,12 +144,14 @@ TEST(ReferenceHybrid, FiveLayersInEveryOrder)
         expect_exact_in_every_order(hybrid_of(4, tail, kBackdrop));
     }
     expect_exact_in_every_order(hybrid_of(5, HybridTail::none, kBackdrop));
+    expect_exact_in_every_order(hybrid_of(5, HybridTail::scaled, kBackdrop));
 }
 
 TEST(ReferenceHybrid, WithoutATailTheCoreCoversWhatAllDo)
 {
     // The nearest alone is pure red.
-    expect_same(hybrid(kFiveLayers, 1, HybridTail::none, {}), {0.9328, 0, 0, 0.9328});
+    expect_same(hybrid(kFiveLayers, 1, HybridTail::none, {}), {0.5, 0, 0, 0.5});
+    expect_same(hybrid(kFiveLayers, 1, HybridTail::scaled, {}), {0.9328, 0, 0, 0.9328});
 }
 
 TEST(ReferenceAdaptive, FiveLayersFromNearToFar)

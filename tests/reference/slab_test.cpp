@@ -175,8 +175,10 @@ TEST(ReferenceSlab, InfinitelyManyBitsAreTheNearestLayers)
             const SlabStore store = slab_store_of_alpha(fragments, k);
             expect_same(slab(fragments, store, SlabResolve::color, kBackdrop),
                         depth_peeling(fragments, k, kBackdrop));
-            expect_same(slab(fragments, store, SlabResolve::color_corrected, kBackdrop),
+            expect_same(slab(fragments, store, SlabResolve::color, kBackdrop),
                         hybrid(fragments, k, HybridTail::none, kBackdrop));
+            expect_same(slab(fragments, store, SlabResolve::color_corrected, kBackdrop),
+                        hybrid(fragments, k, HybridTail::scaled, kBackdrop));
         }
         expect_same(slab(fragments, slab_store_of_alpha(fragments, 9), SlabResolve::depth_corrected,
                          kBackdrop),
