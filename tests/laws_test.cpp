@@ -191,7 +191,7 @@ TEST(Laws, OrderOfArrivalMattersAsTheRowSays)
         double beyond_bound = shuffled_difference(setting, random);
         if (setting.method.traits().any_order != Agreement::none) return;
         // Few samples may be drawn alike whoever came before.
-        if (setting.method.row->random && setting.set->count < 16) return;
+        if (setting.method.traits().random && setting.set->count < 16) return;
         // Opaque plates in front may hide it; not in front of each of ten.
         for (int more = 0; more < 9 && beyond_bound <= 0; ++more) {
             beyond_bound = shuffled_difference(setting, random);

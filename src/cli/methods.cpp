@@ -68,7 +68,7 @@ Json methods_json()
              {"order_independent", row.traits.any_order != Agreement::none},
              {"any_order", name_of(row.traits.any_order)},
              {"merge", name_of(row.traits.merge)},
-             {"random", row.random},
+             {"random", row.traits.random},
              {"coloured", row.colored_verbs != nullptr},
              {"unbiased", row.traits.bias == Bias::exact || row.traits.bias == Bias::unbiased},
              {"bias", name_of(row.traits.bias)},

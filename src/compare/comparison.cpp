@@ -45,7 +45,8 @@ Plan make_plan(const Options& options, const ComparisonRequest& request)
     plan.exact = add_take("exact", options, 1, plan);
     plan.blend = add_take("blend", options, 1, plan);
     for (const std::string& method : request.methods) {
-        const MethodRow* row = choose_method(method).row;
+        const ChosenMethod chosen = choose_method(method);
+        const MethodRow* row = chosen.row;
         Place place{};
         if (row == plan.takes[plan.exact].method.row) {
             place.picture = plan.exact;
@@ -54,7 +55,7 @@ Plan make_plan(const Options& options, const ComparisonRequest& request)
         } else {
             place.picture = add_take(method, options, 1, plan);
         }
-        if (row->random && request.seeds > 1) {
+        if (chosen.traits().random && request.seeds > 1) {
             place.seeds = add_take(method, options, request.seeds, plan);
         }
         plan.methods.push_back(place);
@@ -129,7 +130,7 @@ std::vector<Compared> compare_methods(const Scene& scene, const View& view, cons
     for (std::size_t i = 0; i < request.methods.size(); ++i) {
         const Place& place = plan.methods[i];
         TakeFrame& picture = made.frames[place.picture];
-        const bool random = plan.takes[place.picture].method.row->random;
+        const bool random = plan.takes[place.picture].method.traits().random;
         Compared compared{request.methods[i], {}, picture.stats, 1, {}};
         if (place.seeds) {
             TakeFrame& all = made.frames[*place.seeds];

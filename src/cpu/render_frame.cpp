@@ -97,7 +97,7 @@ Frame draw_one_by_one(const Scene& scene, const View& view, const Options& optio
 Frame render_frame(const Scene& scene, const View& view, const Options& options)
 {
     Take take = make_take(options);
-    const bool random = take.method.row->random;
+    const bool random = take.method.traits().random;
     const bool adapts = options.adaptive.noise_target > 0 || options.adaptive.budget > 0;
     const auto draw = [&] {
         if (random && adapts) return draw_adaptively(scene, view, options);

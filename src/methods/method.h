@@ -193,6 +193,7 @@ struct MethodTraits {
     // What a GPU's textures for the same take a pixel of one sample, in the paper's formats; 0: the
     // paper does not say.
     double texture_bytes = 0;
+    bool random = false;                    // the picture depends on the seed
     bool bounded = true;                    // the store does not grow with the number of fragments
     Agreement any_order = Agreement::none;  // of the stores for every order of arrival
     // Of parts with the whole, merged after each pass, which then goes on with what was merged.
@@ -227,7 +228,6 @@ struct MethodRow {
     ContinuumPlace continuum;
     std::vector<Parameter> parameters;
     MethodTraits traits;  // with the standard values
-    bool random = false;  // the picture depends on the seed
     bool bench_only = false;
     StoreVerbs (*verbs)(TargetSet targets, const ChosenMethod& method, int samples);
     // The same for scenes with coloured glass; null: takes the mean over the channels.

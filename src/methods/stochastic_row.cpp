@@ -26,6 +26,7 @@ MethodTraits traits_of(const ChosenMethod& method)
     const int passes = method.number("sample-passes");
     const bool corrects = is_on(method, "correction");
     MethodTraits traits;
+    traits.random = true;
     traits.bytes_besides = is_tracked(method) ? 20 : 4;
     traits.divides = corrects;
     if (is_on(method, "depth-based")) {
@@ -145,7 +146,6 @@ MethodRow stochastic_row()
                "whether the passes' masks are stratified together, up to 64 samples; tracked ones "
                "up to any number, and those of one picture's frames too"}},
          .traits = {},
-         .random = true,
          .bench_only = false,
          .verbs = verbs,
          .traits_of = traits_of,

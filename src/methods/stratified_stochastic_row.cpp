@@ -10,6 +10,7 @@ namespace {
 MethodTraits traits_of(const ChosenMethod& method)
 {
     MethodTraits traits;
+    traits.random = true;
     traits.bytes_per_sample = 20;
     traits.bytes_besides = 20;
     // Of Sobol's sequence the layers know of one another.
@@ -56,7 +57,6 @@ MethodRow stratified_stochastic_row()
               {"frames", "joint|independent", "joint",
                "whether the frames of one picture are stratified together"}},
          .traits = {},
-         .random = true,
          .bench_only = false,
          .verbs = verbs,
          .traits_of = traits_of,

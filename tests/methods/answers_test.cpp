@@ -202,7 +202,7 @@ void for_each_picture(int fragments, Check&& check)
 {
     unsigned number = 0;
     for (const ChosenMethod& method : every_method()) {
-        if (method.row->random || has_no_answer(method)) continue;
+        if (method.traits().random || has_no_answer(method)) continue;
         for (const SampleSet& set : sample_sets()) {
             // Many passes of many samples show what many passes of few do.
             if (method.traits().passes > 2 && set.count > 4) continue;

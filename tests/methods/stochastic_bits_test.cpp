@@ -76,7 +76,7 @@ TEST(StochasticBits, SeedsDiffer)
         if (method.row->bench_only || is_refused(method, 8)) continue;
         std::set<std::vector<Float4>> different;
         for (const std::uint64_t seed : {0ull, ~0ull, 1ull, 2ull, 1ull << 32}) {
-            if (!method.row->random && different.size() == 2) break;
+            if (!method.traits().random && different.size() == 2) break;
             Options options;
             options.method = name_of(method);
             options.seed = seed;
@@ -85,7 +85,7 @@ TEST(StochasticBits, SeedsDiffer)
             both.insert(both.end(), others.begin(), others.end());
             different.insert(both);
         }
-        EXPECT_EQ(different.size(), method.row->random ? 5u : 1u) << name_of(method);
+        EXPECT_EQ(different.size(), method.traits().random ? 5u : 1u) << name_of(method);
     }
 }
 
@@ -98,7 +98,7 @@ TEST(StochasticBits, OnlyRandomPicturesChangeWhenTheyAreAccumulated)
         options.method = name_of(method);
         const auto one = pixels(scene, 8, options);
         options.accumulate = 7;
-        EXPECT_EQ(pixels(scene, 8, options) != one, method.row->random) << options.method;
+        EXPECT_EQ(pixels(scene, 8, options) != one, method.traits().random) << options.method;
     }
 }
 
