@@ -24,8 +24,10 @@ void for_each_setting(const std::function<void(const Setting&, std::mt19937&)>& 
     for (const ChosenMethod& method : every_method()) {
         for (const SampleSet& set : sample_sets()) {
             if (is_refused(method, set.count)) continue;
-            // Many passes of many samples show what many passes of few do.
-            if (method.traits().passes > 2 && set.count > 4) continue;
+            // Many passes of many samples show what many passes of few do, and so do many layers.
+            const MethodTraits traits = method.traits();
+            if (traits.passes > 2 && set.count > 4) continue;
+            if (traits.bytes_per_sample > 512 && set.count > 16) continue;
             for (const Simd level : simd_levels()) {
                 SCOPED_TRACE(name_of(method) + ", S = " + std::to_string(set.count) + ", " +
                              name_of_targets(targets_of(level)));
@@ -63,15 +65,30 @@ void insert_in_streams(Tile& tile, std::span<const Plate> plates, std::mt19937& 
     }
 }
 
-// So many, and so faint where the row says that many are exact, that the next ones show. Passes
-// that take a layer each see 40 in some order as they would see thousands.
+// Fragments that a store may hold as they are, as far as the row says. Passes that take a layer
+// each see 40 in some order as they would see thousands.
+int least_room(const ChosenMethod& method)
+{
+    const MethodTraits traits = method.traits();
+    int room = traits.passes > 2 ? 0 : traits.exact_up_to;
+    for (const Parameter& parameter : method.row->parameters) {
+        if (parameter.name == std::string_view("layers")) {
+            room = std::max(room, method.number("layers"));
+        }
+    }
+    return room;
+}
+
+// So many, and where there is room for many most of them so faint, that the next ones show. The
+// others may hide some that were there before.
 Plates plates_to_tell_by(const Setting& setting, std::mt19937& random)
 {
-    const MethodTraits traits = setting.method.traits();
-    const int exact_up_to = traits.passes > 2 ? 0 : traits.exact_up_to;
-    Plates plates = RandomPlates{*setting.set, random}.make(std::max(40, 6 * exact_up_to));
-    if (exact_up_to < 8) return plates;
-    for (Plate& plate : plates) plate.color[3] *= 0.1f;
+    const int room = least_room(setting.method);
+    Plates plates = RandomPlates{*setting.set, random}.make(std::max(40, 6 * room));
+    if (room < 8) return plates;
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        if (i % 8 != 0) plates[i].color[3] *= 0.1f;
+    }
     return plates;
 }
 

@@ -16,6 +16,7 @@ StoreVerbs phenomenological_colored_verbs(TargetSet targets, const ChosenMethod&
 Submission sorted_blend_submission(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
+MethodRow slab_row();
 MethodRow depth_peeling_row();
 MethodRow dual_depth_peeling_row();
 MethodRow bucket_peeling_row();
@@ -34,7 +35,7 @@ MethodRow wavelet_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 22> kTable = {{
+    static const std::array<MethodRow, 23> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -80,6 +81,7 @@ std::span<const MethodRow> method_table()
         bucket_peeling_row(),
         stochastic_row(),
         stratified_stochastic_row(),
+        slab_row(),
         k_buffer_row(),
         hybrid_row(),
         mlab_row(),

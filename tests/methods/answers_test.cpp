@@ -11,6 +11,7 @@
 #include "methods/depth_range.h"
 #include "methods/every_method.h"
 #include "methods/rounding.h"
+#include "methods/slab_answers.h"
 #include "methods/tile_fixture.h"
 #include "methods/transmittance_oracle.h"
 #include "reference/methods.h"
@@ -156,6 +157,10 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     }
     if (test::approximates_transmittance(setting.method)) {
         return answer_of_transmittance(setting, plates, behind, place);
+    }
+    if (id == "slab") {
+        return test::endless_slab_answer(slab_settings(setting.method),
+                                         fragments_in_floats(setting, plates, place), behind);
     }
     ADD_FAILURE() << "there is no oracle for the method '" << id << "'";
     return behind;

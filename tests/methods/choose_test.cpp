@@ -23,8 +23,9 @@ TEST(Methods, ChoosingByText)
     EXPECT_EQ(message("exakt"),
               "method: there is no method 'exakt'; there are blend, sorted-blend, exact, "
               "depth-peeling, dual-depth-peeling, bucket-peeling, stochastic, "
-              "stratified-stochastic, k-buffer, hybrid, mlab, z3, adaptive, deep-shadow-map, "
-              "weighted-average, wboit, phenomenological, fourier, moment, mboit, wavelet");
+              "stratified-stochastic, slab, k-buffer, hybrid, mlab, z3, adaptive, "
+              "deep-shadow-map, weighted-average, wboit, phenomenological, fourier, moment, mboit, "
+              "wavelet");
     EXPECT_EQ(message("exact:k=3"), "method: exact has no parameter 'k'; it has none");
     for (const std::string value : {"1.5", "-0.1", "nan", "", "0.5x", "adaptively"}) {
         EXPECT_EQ(message(("moment:overestimation=" + value).c_str()),

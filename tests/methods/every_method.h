@@ -94,12 +94,15 @@ inline std::vector<ChosenMethod> every_choice(const MethodRow& row)
     return choices;
 }
 
-inline std::vector<ChosenMethod> every_method()
+inline const std::vector<ChosenMethod>& every_method()
 {
-    std::vector<ChosenMethod> all;
-    for (const MethodRow& row : method_table()) {
-        for (const ChosenMethod& choice : every_choice(row)) all.push_back(choice);
-    }
+    static const std::vector<ChosenMethod> all = [] {
+        std::vector<ChosenMethod> made;
+        for (const MethodRow& row : method_table()) {
+            for (const ChosenMethod& choice : every_choice(row)) made.push_back(choice);
+        }
+        return made;
+    }();
     return all;
 }
 

@@ -80,6 +80,18 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "fourier:terms=3:window=lanczos",
     "wavelet",
     "wavelet:rank=4",
+    "slab:layers=8:bits=8:correction=on",
+    "slab:layers=2:bits=64:keep=visible:tail=dropped",
+    "slab:layers=5:bits=128:keep=nearest",
+    "slab:layers=3:bits=16:depth-based=off",
+    "slab:layers=32:bits=32:depth-based=off:correction=on",
+    "slab:layers=4:bits=infinity",
+    "slab:layers=4:bits=infinity:depth-based=off",
+    "slab:layers=1:bits=1:coverage=implicit",
+    "slab:layers=4:bits=21:coverage=implicit:correction=on:keep=visible",
+    "slab:layers=3:bits=8:coverage=implicit:probability=naive:depth-based=off:keep=nearest",
+    "slab:layers=4:bits=10:coverage=implicit:sampling=in-depth:tail=dropped",
+    "slab:layers=6:bits=8:coverage=implicit:probability=naive:sampling=in-depth:depth-based=off",
 };
 
 // Of texts whose optical depths come from the bits of floats, there are no others.

@@ -29,6 +29,9 @@
 //               Alpha corrected: the mean of those, P + 4, times 1 - T, 2 n + 2, and T B.
 //               Depth-based: two sums of n P terms, 2 (n P + 2), or, uncorrected, one, whose size
 //               is up to n M.
+// slab          Of k layers, whose visibility is a quotient, or a product, off by 2 k. Depth based:
+//               as above, 2 k more in each term. Else the k parts of the layers: 2 k + 3 each,
+//               their sum k.
 // by a function of depth (moment and its like)
 //               The function's values are the same floats in both. Each of the n addends of both
 //               sums is off by two products, 2, and by half of 2^-48 on its grid, of a sum that is
@@ -126,6 +129,13 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         } else if (passes > 1) {
             formula = passes + 4;
         }
+    } else if (id == "slab") {
+        const double k = method.number("layers");
+        const bool corrects = method.value("correction") == "on";
+        const bool sums_all = method.value("depth-based") == "on";
+        const double sum = sums_all ? n + 2 * k + 4 : 3 * k + 4;
+        formula =
+            backdrop + (corrects ? 2 * sum + 2 * n + 6 : sum * (sums_all ? std::max(n, 1.0) : 1.0));
     } else if (id != "none" && id != "stratified-stochastic") {
         ADD_FAILURE() << "there is no bound for the method '" << id << "'";
     }

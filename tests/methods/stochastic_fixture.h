@@ -9,6 +9,7 @@
 
 #include <sheer/sheer.h>
 
+#include "methods/fragment_lists.h"
 #include "methods/method.h"
 #include "reference/methods.h"
 
@@ -101,11 +102,12 @@ public:
           verbs_(method_.row->verbs(targets_of(Simd::best), method_, samples)),
           store_(verbs_.make({&set_, &method_, {true, 0.1f, 0}, kMostFragments})),
           stream_(kMostFragments),
-          colors_(samples)
+          colors_(samples, method_.traits().divides)
     {
     }
 
-    // Every sample's colour. `fault` may change the fragments on their way, pass by pass.
+    // Every sample's colour, the filter being a sample's. `fault` may change the fragments on their
+    // way, pass by pass.
     const SampleColors& draw(const StochasticLayers& layers, const TilePlace& place,
                              const Fault& fault = {})
     {
@@ -121,6 +123,7 @@ public:
             }
         }
         verbs_.resolve(store_.get(), colors_);
+        if (method_.traits().divides) test::add_fraction(colors_);
         return colors_;
     }
 

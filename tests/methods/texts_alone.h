@@ -16,6 +16,7 @@
 #include "methods/method_alone.h"
 #include "methods/methods_with_texts.h"
 #include "methods/peeling_alone.h"
+#include "methods/slab_alone.h"
 #include "methods/stochastic_alone.h"
 #include "methods/stratified_alone.h"
 #include "methods/sums_alone.h"
@@ -50,6 +51,8 @@ struct Texts {
 #include "sheer/bucket_peeling.glsl"
 #include "sheer/phenomenological.glsl"
 #include "sheer/deep_shadow_map.glsl"
+#include "sheer/slab_bits.glsl"
+#include "sheer/slab.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -196,6 +199,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "hybrid") return make_alone<L, HybridAlone>(lists, method);
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
     if (id == "depth-peeling") return make_alone<L, DepthPeelingAlone>(lists, method);
+    if (id == "slab") return make_alone<L, SlabAlone>(lists, method);
     if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
     if (id == "bucket-peeling") return make_alone<L, BucketPeelingAlone>(lists, method);
     if (id == "phenomenological") return make_alone<L, PhenomenologicalAlone>(lists, method);

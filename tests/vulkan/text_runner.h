@@ -133,6 +133,18 @@ private:
             all.push_back({3, method.value("round") == "tile-dither" ? 1u : 0u});
             all.push_back({4, method.value("correction") == "on" ? 1u : 0u});
         }
+        if (id == "slab") {
+            const SlabSettings settings = slab_settings(method);
+            all.push_back({1, static_cast<std::uint32_t>(settings.layers)});
+            all.push_back({2, static_cast<std::uint32_t>(settings.bits)});
+            all.push_back({3, settings.has_masks() ? 1u : 0u});
+            all.push_back({4, settings.stratified ? 1u : 0u});
+            all.push_back({5, settings.in_depth ? 1u : 0u});
+            all.push_back({6, static_cast<std::uint32_t>(settings.keep)});
+            all.push_back({7, settings.depth_based ? 1u : 0u});
+            all.push_back({8, settings.adds_tail ? 1u : 0u});
+            all.push_back({9, settings.corrects ? 1u : 0u});
+        }
         if (id == "mlab" || id == "z3" || id == "k-buffer" || id == "hybrid") {
             all.push_back({1, static_cast<std::uint32_t>(method.number("layers"))});
         }

@@ -52,7 +52,7 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
         tiles.push_back(lists_of_fullest_tile(table, "tea table", samples));
         expect_same_bits(
             tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
-                    "stratified-stochastic", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
+                    "stratified-stochastic", "slab", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
                     "depth-peeling", "dual-depth-peeling", "bucket-peeling", "phenomenological",
                     "deep-shadow-map", "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
         // Long texts, whose samples have nothing to do with one another.
