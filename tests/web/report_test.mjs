@@ -74,10 +74,87 @@ async function cells(page, id) {
 const codesOf = (linear) => Math.round(255 * (linear <= 0.04045 / 12.92 ? 12.92 * linear :
     1.055 * linear ** (1 / 2.4) - 0.055));
 
+// The columns, each with what metrics.json has for it, in the digits of the page.
+const COLUMNS = {
+  samples: [0, (row) => row.samples],
+  rmse: [3, (row) => row.rmse],
+  rmse_same_s: [3, (row) => row.rmse_same_s],
+  psnr: [2, (row) => row.psnr],
+  ssim: [4, (row) => row.ssim],
+  flip: [4, (row) => row.flip],
+  bias: [3, (row) => row.bias],
+  noise: [3, (row) => row.noise],
+  ratio_to_blend: [2, (row) => row.ratio_to_blend],
+  ms: [1, (row) => row.ms.total],
+  bytes_per_pixel: [0, (row) => row.bytes_per_pixel],
+  peak_memory: [1, (row) => row.peak_memory_bytes / 2 ** 20],
+};
+
+// compare's rows stand in the order of --samples, then of --methods.
+function nameOf(index, metrics) {
+  const methods = METHODS.split(',');
+  return `${methods[index % methods.length]}, ${metrics.results[index].samples} samples`;
+}
+
+// The cells of the table and the points of the chart that are not what metrics.json says.
+async function wrongNumbers(page, metrics) {
+  const wrong = [];
+  const names = await cells(page, 'name');
+  for (const [id, [digits, value]] of Object.entries(COLUMNS)) {
+    const shown = await cells(page, id);
+    metrics.results.forEach((row, index) => {
+      const name = nameOf(index, metrics);
+      const right = value(row) === null ? '–' : value(row).toFixed(digits);
+      if (shown[names.indexOf(name)] !== right) wrong.push(`${name}: ${id}`);
+    });
+  }
+  const axes = {x: await page.inputValue('#chart-x'), y: await page.inputValue('#chart-y')};
+  const points = await page.evaluate(() => plot.chart.data.datasets.flatMap((set) => set.data));
+  metrics.results.forEach((row, index) => {
+    const point = points.find(({label}) => label === nameOf(index, metrics));
+    for (const [axis, drawn] of [['x', point?.cost], ['y', point?.error]]) {
+      const right = COLUMNS[axes[axis]][1](row);
+      if (drawn !== right) wrong.push(`${nameOf(index, metrics)}: ${axes[axis]} in the chart`);
+    }
+  });
+  return wrong.sort();
+}
+
 const tests = {
   async 'has a row for each result'({page, metrics}) {
     assert.equal((await cells(page, 'name')).length, metrics.results.length);
     assert.match(await page.textContent('#shown'), new RegExp(`^${metrics.results.length} `));
+  },
+
+  async 'shows the numbers that were measured'({page, metrics}) {
+    assert.deepEqual(Object.keys(COLUMNS), await page.evaluate(() => columns.map((c) => c.id)));
+    assert.deepEqual(await wrongNumbers(page, metrics), []);
+    // By another way, where it is the same: the pictures in the folder, measured by `diff`.
+    const measured = (row, by) => JSON.parse(execFileSync(
+        tool, ['diff', join(folder, row.image), join(folder, by), '--json'], {encoding: 'utf8'}));
+    const rmse = await cells(page, 'rmse'), flip = await cells(page, 'flip');
+    const names = await cells(page, 'name');
+    metrics.results.forEach((row, index) => {
+      const at = names.indexOf(nameOf(index, metrics));
+      const again = measured(row, 'truth.exr');
+      assert.equal(flip[at], again.flip.toFixed(4));
+      if (row.seeds === 1) assert.equal(rmse[at], again.rmse.toFixed(3));
+    });
+  },
+
+  async 'shows the pictures that were drawn'({page, metrics}) {
+    await page.click('#mode input[value=split]');
+    const file = (name) => 'data:image/png;base64,' + readFileSync(join(folder, name), 'base64');
+    for (const [index, row] of metrics.results.entries()) {
+      await page.selectOption('#pick-a', {label: nameOf(index, metrics)});
+      await page.click('#show input[value=picture]');
+      const source = () => page.$eval('#stage img', (image) => image.src);
+      assert.equal(await source(), file(row.image.replace('.exr', '.png')));
+      await page.click('#show input[value=error]');
+      assert.equal(await source(), file(row.error_map));
+    }
+    await page.click('#show input[value=picture]');
+    await page.click('#mode input[value=slider]');
   },
 
   async 'sorts by a column, both ways, by mouse and by keyboard'({page, metrics}) {
@@ -224,6 +301,29 @@ const tests = {
     execFileSync(tool, words);
     assert.deepEqual(readFileSync(join(folder, 'again.png')),
                      readFileSync(join(folder, 'stochastic-masks=naive.s4.png')));
+  },
+
+  // What the test of numbers is worth: each column is wrong in one row of this page, and it names
+  // those cells and no others.
+  async 'is not taken for right with wrong numbers'({page, metrics}) {
+    const whole = readFileSync(join(folder, 'report.html'), 'utf8');
+    const [before, json, after] = whole.split(/(?<=id="data">)(.*?)(?=<\/script>)/s);
+    const data = JSON.parse(json), expected = [];
+    Object.keys(COLUMNS).forEach((id, i) => {
+      const index = (3 * i + 2) % data.results.length, row = data.results[index];
+      if (id === 'ms') row.ms.total += 1;
+      else if (id === 'peak_memory') row.peak_memory_bytes += 2 ** 20;
+      else if (id !== 'samples') row[id] = (row[id] ?? 0) + 1;
+      if (id === 'samples') return;  // part of the names by which rows are found
+      expected.push(`${nameOf(index, metrics)}: ${id}`);
+      if (id === 'rmse_same_s' || id === 'ratio_to_blend') {
+        expected.push(`${nameOf(index, metrics)}: ${id} in the chart`);
+      }
+    });
+    writeFileSync(join(folder, 'wrong.html'),
+                  before + JSON.stringify(data).replaceAll('<', '\\u003c') + after);
+    await page.goto(pathToFileURL(join(folder, 'wrong.html')).href);
+    assert.deepEqual(await wrongNumbers(page, metrics), expected.sort());
   },
 
   async 'takes no name for markup'({page}) {
