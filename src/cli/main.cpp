@@ -18,6 +18,7 @@
 #include "cli/commands.h"
 #include "cli/help_text.h"
 #include "cli/output.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -70,17 +71,36 @@ void add_commands(CLI::App& tool)
                 "\n" + methods_help() + "\n" + scenes_help());
 }
 
+// Of the command that was given, or of the tool.
+std::vector<std::string> option_names(const CLI::App& tool)
+{
+    const auto commands = tool.get_subcommands();
+    const CLI::App& command = commands.empty() ? tool : *commands.front();
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    return names;
+}
+
 // What the parser found wrong, in the words of a person. CLI11 names what it could not place in
 // reverse order, and only after whatever is missing because of it.
 std::string explain(const CLI::ParseError& error, const CLI::App& tool)
 {
     const std::vector<std::string> unknown = tool.remaining(true);
     for (const std::string& word : unknown) {
-        if (word.starts_with('-')) return "there is no option '" + word + "'";
+        if (word.starts_with('-')) {
+            return "there is no option '" + word + "'" + suggestion(word, option_names(tool));
+        }
     }
     if (tool.get_subcommands().empty()) {
-        return unknown.empty() ? "a command is needed"
-                               : "there is no command '" + unknown.front() + "'";
+        if (unknown.empty()) return "a command is needed";
+        std::vector<std::string> commands;
+        for (const CLI::App* command : tool.get_subcommands({})) {
+            commands.push_back(command->get_name());
+        }
+        return "there is no command '" + unknown.front() + "'" +
+               suggestion(unknown.front(), commands);
     }
     if (!unknown.empty()) return "'" + unknown.front() + "' is one argument too many";
     return error.what();

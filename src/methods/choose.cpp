@@ -18,24 +18,25 @@ std::string quoted(std::string_view text)
 
 const MethodRow& find_row(std::string_view id)
 {
-    std::string known;
+    std::vector<std::string> known;
     for (const MethodRow& row : method_table()) {
         if (row.id == id) return row;
-        if (!row.bench_only) known += (known.empty() ? "" : ", ") + std::string(row.id);
+        if (!row.bench_only) known.emplace_back(row.id);
     }
-    throw Error(Fault::input, "method: there is no method " + quoted(id) + "; there are " + known);
+    throw Error(Fault::input, "method: there is no method " + quoted(id) + suggestion(id, known) +
+                                  "; there are " + joined(known));
 }
 
 std::size_t find_parameter(const MethodRow& row, std::string_view name)
 {
-    std::string known;
+    std::vector<std::string> known;
     for (std::size_t i = 0; i < row.parameters.size(); ++i) {
         if (row.parameters[i].name == name) return i;
-        known += (i == 0 ? "" : ", ") + std::string(row.parameters[i].name);
+        known.emplace_back(row.parameters[i].name);
     }
     throw Error(Fault::input, "method: " + std::string(row.id) + " has no parameter " +
-                                  quoted(name) +
-                                  (known.empty() ? "; it has none" : "; it has " + known));
+                                  quoted(name) + suggestion(name, known) + "; it has " +
+                                  (known.empty() ? "none" : joined(known)));
 }
 
 template <class Number>
@@ -142,7 +143,8 @@ ChosenMethod choose_method(std::string_view text)
         if (!allowed(parameter, value)) {
             throw Error(Fault::input, "method: " + std::string(chosen.row->id) + ": " +
                                           parameter.name + " is " + parameter.values + ", not " +
-                                          quoted(value));
+                                          quoted(value) +
+                                          suggestion(value, split(parameter.values, '|')));
         }
         chosen.values[at] = value;
     }

@@ -7,6 +7,7 @@
 
 #include "scene/builtin/query.h"
 #include "scene/builtin/scenes.h"
+#include "support/text.h"
 
 namespace sheer {
 namespace {
@@ -55,12 +56,13 @@ Scene make_builtin(const std::string& name_and_query)
     const std::size_t mark = name_and_query.find('?');
     const std::string name = name_and_query.substr(0, mark);
     const std::string query = mark == std::string::npos ? "" : name_and_query.substr(mark + 1);
-    std::string known;
+    std::vector<std::string> known;
     for (const BuiltinScene& scene : kScenes) {
         if (name == scene.name) return scene.make(Query(name, query, scene.parameters));
-        known += (known.empty() ? "" : ", ") + std::string(scene.name);
+        known.emplace_back(scene.name);
     }
-    throw Error(Fault::input, "builtin:" + name + ": no such scene; there are " + known);
+    throw Error(Fault::input, "builtin:" + name + ": no such scene" + suggestion(name, known) +
+                                  "; there are " + joined(known));
 }
 
 }  // namespace sheer

@@ -1,6 +1,7 @@
 // Small things about text.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,14 @@ inline std::vector<std::string> split(std::string_view text, char separator)
 
 // With that many digits after the point; "-" for what is not finite.
 std::string fixed(double number, int digits);
+
+// "blend, exact, wboit"
+std::string joined(std::span<const std::string> names);
+
+// " (did you mean 'exact'?)" of the name that is nearest to what was typed: the one with the fewest
+// letters more, less, wrong or swapped with the next, a third of them at most, or one that begins
+// like it. Empty where there is none such, or where it is one of them.
+std::string suggestion(std::string_view typed, std::span<const std::string> names);
 
 // "640x480"
 inline std::string size_text(int width, int height)

@@ -44,7 +44,18 @@ TEST(CommandLine, NamesWhatItDoesNotKnow)
     expect_refused({}, "a command is needed; see 'sheer --help'");
     expect_refused({"paint"}, "there is no command 'paint'");
     expect_refused({"--bogus"}, "there is no option '--bogus'");
-    expect_refused({"--json", "render"}, "there is no option '--json'");
+    expect_refused({"--json", "render"}, "there is no option '--json'; see 'sheer render --help'");
+    expect_refused({"rendr"}, "no command 'rendr' (did you mean 'render'?); see 'sheer --help'");
+    expect_render_refused({"--sampels", "3"}, "'--sampels' (did you mean '--samples'?); see");
+    expect_refused({"compare", "builtin:quads", "-o", "out", "--methods", "wbiot"},
+                   "--methods: there is no method 'wbiot' (did you mean 'wboit'?); there are ");
+    expect_refused({"compare", "builtin:quads", "-o", "out", "--methods", "stochastic:mask=naive"},
+                   "stochastic has no parameter 'mask' (did you mean 'masks'?); it has ");
+    expect_refused({"reproduce", "stochastic-figure-7", "-o", "out"},
+                   "figure 'stochastic-figure-7' (did you mean 'stochastic-figure-");
+    expect_render_refused({"--method", "mlba"}, "--method: there is no method 'mlba' (did you");
+    expect_refused({"info", "builtin:motr"}, "no such scene (did you mean 'motor'?); there are ");
+    expect_refused({"info", "builtin:layers?alhpa=1"}, "parameter (did you mean 'alpha'?); there");
     expect_render_refused({"--bogus", "3"}, "there is no option '--bogus'; see 'sheer render");
     expect_render_refused({"b.glb"}, "'b.glb' is one argument too many");
     expect_render_refused({"--method", "foo"}, "--method: there is no method 'foo'; there are ");

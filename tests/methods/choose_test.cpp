@@ -21,13 +21,17 @@ TEST(Methods, ChoosingByText)
         return "";
     };
     EXPECT_EQ(message("exakt"),
-              "method: there is no method 'exakt'; there are blend, sorted-blend, exact, "
+              "method: there is no method 'exakt' (did you mean 'exact'?); there are blend, "
+              "sorted-blend, exact, "
               "depth-peeling, dual-depth-peeling, bucket-peeling, stochastic, "
               "stratified-stochastic, slab, k-buffer, hybrid, mlab, z3, adaptive, "
               "deep-shadow-map, weighted-average, wboit, phenomenological, fourier, moment, mboit, "
               "wavelet");
+    EXPECT_EQ(message("wboit:wieght=eq8"),
+              "method: wboit has no parameter 'wieght' (did you mean 'weight'?); it has weight");
+    EXPECT_TRUE(message("stochastic:masks=tabel").ends_with("'tabel' (did you mean 'table'?)"));
     EXPECT_EQ(message("exact:k=3"), "method: exact has no parameter 'k'; it has none");
-    for (const std::string value : {"1.5", "-0.1", "nan", "", "0.5x", "adaptively"}) {
+    for (const std::string value : {"1.5", "-0.1", "nan", "", "0.5x", "ad"}) {
         EXPECT_EQ(message(("moment:overestimation=" + value).c_str()),
                   "method: moment: overestimation is 0.0..1.0|adaptive, not '" + value + "'");
     }

@@ -2,10 +2,12 @@
 #include "compare/reproduce/reproduce.h"
 
 #include <algorithm>
+#include <vector>
 
 #include <sheer/error.h>
 
 #include "compare/reproduce/entries.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -89,8 +91,11 @@ const ReproduceEntry& find_reproduce_entry(const std::string& name)
         std::find_if(std::begin(kEntries), std::end(kEntries),
                      [&](const ReproduceEntry& entry) { return entry.name == name; });
     if (found != std::end(kEntries)) return *found;
-    throw Error(Fault::input, "there is no table or figure '" + name +
-                                  "'; 'sheer reproduce list' names all there are");
+    std::vector<std::string> names;
+    for (const ReproduceEntry& entry : kEntries) names.emplace_back(entry.name);
+    throw Error(Fault::input, "there is no table or figure '" + name + "'" +
+                                  suggestion(name, names) +
+                                  "; 'sheer reproduce list' names all there are");
 }
 
 }  // namespace sheer

@@ -27,12 +27,13 @@ Query::Query(const std::string& scene, const std::string& text, const std::strin
     : scene_(scene), pairs_(parse(text))
 {
     const std::vector<Pair> known_pairs = parse(known);
-    std::string list;
-    for (const Pair& pair : known_pairs) list += (list.empty() ? "" : ", ") + pair.key;
+    std::vector<std::string> keys;
+    for (const Pair& pair : known_pairs) keys.push_back(pair.key);
     for (const Pair& pair : pairs_) {
         const auto same = [&](const Pair& other) { return other.key == pair.key; };
         if (std::none_of(known_pairs.begin(), known_pairs.end(), same))
-            fail(pair.key, "no such parameter; there are " + list);
+            fail(pair.key,
+                 "no such parameter" + suggestion(pair.key, keys) + "; there are " + joined(keys));
         if (std::count_if(pairs_.begin(), pairs_.end(), same) > 1) fail(pair.key, "given twice");
     }
 }
