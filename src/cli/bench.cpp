@@ -9,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/help_text.h"
+#include "cli/method_lists.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/view_options.h"

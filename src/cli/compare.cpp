@@ -11,6 +11,7 @@
 #include "cli/compare_report.h"
 #include "cli/folder.h"
 #include "cli/help_text.h"
+#include "cli/method_lists.h"
 #include "cli/metrics_report.h"
 #include "cli/output.h"
 #include "cli/scene_options.h"
@@ -21,6 +22,7 @@
 #include "compare/probes.h"
 #include "compare/report/report.h"
 #include "compare/truth.h"
+#include "compare/work_shares.h"
 #include "image/png.h"
 #include "image/write_image.h"
 #include "methods/method.h"
@@ -129,28 +131,26 @@ std::size_t pictures_besides(const CompareRequest& request)
 Result compare_all(const Scene& scene, CompareRequest& request)
 {
     ProgressBar bar("comparing");
-    // The truth's passes take most of the time.
-    const double parts = kTruthPasses + static_cast<double>(request.samples.size());
-    double done = 0;
-    Options options = request.given.options;
-    options.progress = [&](double part) { bar.update(part * kTruthPasses / parts); };
     const std::uint64_t one = picture_bytes(request.given.view);
     Probes probes(request.given.view.width, request.given.view.height, kProbes);
     ComparisonRequest comparison{request.methods, request.seeds, pictures_besides(request) * one,
                                  &probes};
+    const WorkShares shares = work_shares(request.given.view, comparison, request.samples);
+    double done = 0, share = shares.truth;
+    Options options = request.given.options;
+    options.progress = [&](double part) { bar.update(done + part * share); };
     Result result{render_truth(scene, request.given.view, options, kTruthPasses,
                                comparison.reserved_memory + pictures_at_once(comparison) * one),
                   {},
                   {}};
     if (options.memory_limit != 0) release_free_memory();
-    done = kTruthPasses;
-    options.progress = [&](double part) { bar.update((done + part) / parts); };
-    for (const int samples : request.samples) {
-        request.given.view.samples = samples;
+    for (std::size_t i = 0; i < request.samples.size(); ++i) {
+        done += share;
+        share = shares.of_samples[i];
+        request.given.view.samples = request.samples[i];
         auto some = compare_methods(scene, request.given.view, options, comparison, result.truth);
         if (options.memory_limit != 0) release_free_memory();
         std::move(some.begin(), some.end(), std::back_inserter(result.all));
-        done += 1;
         comparison.sink = nullptr;  // the first samples are enough
     }
     result.probes = probes.results();
@@ -261,6 +261,13 @@ constexpr const char* kMeaning =
     "  x blend      total time over that of 'blend'; 'sheer bench' measures times better\n"
     "Bias and noise of a random method are unknown (-, null) with one seed.\n";
 
+std::string usual_help()
+{
+    std::string text = "Without --methods:\n";
+    for (const std::string& method : usual_methods()) text += "  " + method + "\n";
+    return text;
+}
+
 }  // namespace
 
 void add_compare_command(CLI::App& tool)
@@ -273,10 +280,11 @@ void add_compare_command(CLI::App& tool)
     add_view_options(*command, request->given);
     const std::string examples = examples_help(
         {"sheer compare builtin:motor -o motor", "sheer compare scene.glb --samples 4,8,16 -o out",
+         "sheer compare scene.glb --methods all -o out",
          "sheer compare scene.glb --methods wboit,stochastic:masks=naive --seeds 32 -o out",
          "sheer compare scene.glb -o out --opacity 'Glass*=0.5' --mask-as-blend"});
-    command->footer(std::string(kMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
-                    scenes_help());
+    command->footer(std::string(kMeaning) + "\n" + usual_help() + "\n" + examples + "\n" +
+                    methods_help() + "\n" + scenes_help());
     command->callback([request, command] {
         const auto words = given_words(*command, {});
         request->command = "sheer compare " + shell_line(words);

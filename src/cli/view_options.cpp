@@ -125,16 +125,6 @@ void add_view_options(CLI::App& command, ViewOptions& given)
     add_machine_options(command, given.options);
 }
 
-void add_methods_list(CLI::App& command, std::vector<std::string>& methods, MethodsFor purpose)
-{
-    methods.clear();
-    for (const MethodRow& row : method_table()) {
-        if (purpose == MethodsFor::bench || !row.bench_only) methods.emplace_back(row.id);
-    }
-    add_value(command, "--methods", "ID[:NAME=VALUE]...,...", "Methods, with commas (all)",
-              [&methods](auto&, auto& text) { methods = split(text, ','); });
-}
-
 void add_samples_list(CLI::App& command, std::vector<int>& samples)
 {
     add_value(command, "--samples", "S,...", "Samples a pixel, a row each (8)",

@@ -16,10 +16,7 @@ struct ViewOptions {
 // is each command's own.
 void add_view_options(CLI::App& command, ViewOptions& given);
 
-// Options of some commands only: lists of methods, which are all if none are given, and of numbers
-// of samples, and the seed.
-enum class MethodsFor { pictures, bench };
-void add_methods_list(CLI::App& command, std::vector<std::string>& methods, MethodsFor purpose);
+// Options of some commands only: a list of numbers of samples, and the seed.
 void add_samples_list(CLI::App& command, std::vector<int>& samples);
 void add_seed(CLI::App& command, Options& options);
 

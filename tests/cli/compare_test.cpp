@@ -1,6 +1,7 @@
 // sheer compare, and the options of render that came with it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -8,6 +9,7 @@
 
 #include "cli/run_tool.h"
 #include "image/read_image.h"
+#include "support/text.h"
 
 namespace sheer::test {
 
@@ -102,6 +104,53 @@ TEST(CliCompare, AgreesWithRenderAndDiff)
     }
     EXPECT_TRUE(row_of(metrics, "stochastic", 8)["noise"].is_null());
     EXPECT_TRUE(row_of(metrics, "stochastic", 8)["bias"].is_null());
+}
+
+// What it takes without a list stands in its help; 'all' is the table, and nothing is drawn twice.
+TEST(CliCompare, TakesTheUsualMethodsOrAll)
+{
+    const Tool tool;
+    const auto compared = [&](std::vector<std::string> added) {
+        std::vector<std::string> arguments = {"compare",   "builtin:layers?alpha=0.5&depth=1,2",
+                                              "--size",    "8x8",
+                                              "--samples", "1",
+                                              "--seeds",   "1",
+                                              "--json",    "-o",
+                                              "out"};
+        arguments.insert(arguments.end(), added.begin(), added.end());
+        const Outcome outcome = tool.run(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        std::vector<std::string> methods;
+        const Json metrics = Json::parse(outcome.out);
+        for (const Json& row : metrics["results"]) methods.push_back(row["method"]);
+        return methods;
+    };
+    std::vector<std::string> all;
+    const Json table = Json::parse(tool.run({"methods", "--json"}).out);
+    for (const Json& row : table["methods"]) {
+        if (!row["bench_only"]) all.push_back(row["id"]);
+    }
+    EXPECT_EQ(compared({"--methods", "all"}), all);
+    EXPECT_EQ(compared({"--methods", "all,blend"}), all);
+    std::vector<std::string> more = all;
+    more.insert(more.begin(), "wboit");
+    EXPECT_EQ(compared({"--methods", "wboit:weight=eq8,all"}), more);
+
+    const std::vector<std::string> usual = compared({});
+    const std::string help = tool.run({"compare", "--help"}).out;
+    std::string lines = "Without --methods:\n";
+    for (const std::string& line : split(help.substr(help.find(lines) + lines.size()), '\n')) {
+        if (line.empty()) break;
+        lines += line + "\n";
+        const std::string id = split(line.substr(2), ':')[0];
+        EXPECT_NE(std::find(usual.begin(), usual.end(), id), usual.end()) << line;
+    }
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'),
+              static_cast<std::ptrdiff_t>(usual.size()) + 1);
+    EXPECT_LT(usual.size(), all.size());
+    for (const char* id : {"exact", "blend", "sorted-blend"}) {
+        EXPECT_EQ(std::count(usual.begin(), usual.end(), id), 1) << id;
+    }
 }
 
 TEST(CliCompare, WhatIsWrongIsOneLine)
