@@ -25,7 +25,7 @@ WorkShares work_shares(const View& view, const ComparisonRequest& request,
     const double passes = truth_samples(view) / double{kSamplesOfPass};
     double frames = 2;  // `exact` and `blend`, by which the others are measured
     for (const std::string& method : request.methods) {
-        const bool many = choose_method(method).row->random && request.seeds > 1;
+        const bool many = choose_method(method).traits().random && request.seeds > 1;
         frames += 1 + (many ? request.seeds : 0);
     }
     WorkShares shares{passes * frame_time(kSamplesOfPass), {}};
