@@ -137,6 +137,9 @@ struct Object {
     // by this: for x-ray views of what is opaque.
     float opacity = 1;
     std::int32_t group = -1;  // in Scene::groups; -1: none
+    // Object to the space of the whole that it is a part of, which moves as one: there hashed alpha
+    // tests have their noise, which so moves with it. None: the scene is the whole, `transform`.
+    std::optional<Mat4> to_whole = std::nullopt;
 };
 
 struct Camera {

@@ -37,8 +37,12 @@ float to_real(uint a)
 }
 uint to_whole(float a)
 {
-    return uint(a);
-}  // towards zero; 0 to 2^31
+    return a < 0.0 ? uint(int(a)) : uint(a);
+}  // towards zero; -2^31 to 2^31
+float octave(float a)
+{
+    return uintBitsToFloat(floatBitsToUint(a) & 0x7f800000u);
+}  // the largest power of 2 that is no larger; a positive and not denormal
 
 // The same bits.
 uint bits_of(float a)

@@ -36,14 +36,14 @@ bool any_divides(std::span<const Take> takes)
 std::unique_ptr<Worker> make_worker(const FrameJob& job)
 {
     const int samples = job.samples.count;
-    auto worker = std::make_unique<Worker>(
-        Worker{{job.tile_fragments, OpaqueTile(samples, job.surfaces.any_opaque),
-                FragmentStream(job.stream_capacity, job.surfaces.any_colored)},
-               SampleColors(samples, any_divides(job.takes)),
-               {},
-               {},
-               {},
-               {}});
+    auto worker = std::make_unique<Worker>(Worker{
+        {job.tile_fragments, OpaqueTile(samples, job.surfaces.any_opaque),
+         FragmentStream(job.stream_capacity, job.surfaces.any_colored, any_placed(job.groups))},
+        SampleColors(samples, any_divides(job.takes)),
+        {},
+        {},
+        {},
+        {}});
     for (std::size_t i = 0; i < job.takes.size(); ++i) {
         const ChosenMethod& method = job.takes[i].method;
         const MethodTraits traits = method.traits();
@@ -66,7 +66,7 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
                         job.background,
                         {rect.x0, rect.y0, 0}};
     for (const TakeGroup& group : job.groups) {
-        setting.job.submission = group.submission;
+        setting.job.wants = group.wants;
         worker.passes.forget();
         if (group.uses > 1) worker.passes.keep(setting);
         for (const std::size_t take : group.takes) {
@@ -80,6 +80,7 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
             setting, [&](const FragmentStream& s) { job.sink->take(rect, interior, shape, s); });
     }
     if (!result.channels) return;
+    setting.job.wants = {};
     worker.channels.clear();
     worker.passes.visit(setting, [&](const FragmentStream& s) { worker.channels.add(s); });
     worker.channels.write(rect, interior, shape, *result.channels);
@@ -91,7 +92,7 @@ FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Proje
     const Shadowed shadowed = view.shadows.kind == ShadowKind::none ? Shadowed::no : Shadowed::yes;
     FrameSurfaces result = make_surfaces(scene, view.exposure, eye, threads, shadowed);
     const auto sorts_objects = [](const Take& take) {
-        return submission_of(take) == Submission::objects_sorted;
+        return take.method.wants().submission == Submission::objects_sorted;
     };
     if (std::any_of(takes.begin(), takes.end(), sorts_objects)) {
         result.distances = object_distances(scene, projection);
@@ -164,7 +165,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     const std::span<const Take> takes = request.takes;
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
     if (options.memory_limit != 0) {
-        require_memory(options.memory_limit, geometry_bytes(scene) + texture_bytes(scene, wanted));
+        require_memory(options.memory_limit,
+                       geometry_bytes(scene, places_of(takes)) + texture_bytes(scene, wanted));
     }
     for (const Take& take : takes) check_method(take.method, view.samples);
     const TargetSet targets = targets_of(options.simd);
@@ -175,8 +177,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     geometry_time.start();
     const Projection projection = resolve_camera(scene, view);
     const int geometry_threads = std::min(wanted, grid.count());
-    const Geometry geometry =
-        build_geometry({scene, projection, grid, samples.extent, geometry_threads});
+    const Geometry geometry = build_geometry(
+        {scene, projection, grid, samples.extent, geometry_threads, places_of(takes)});
     FrameSurfaces surfaces =
         prepare_surfaces(scene, view, projection, geometry.eye, geometry_threads, takes);
     geometry_time.stop();

@@ -9,13 +9,14 @@
 namespace sheer {
 
 // At most: posed vertices, and triangles in chunks that grow, none of them culled.
-std::uint64_t geometry_bytes(const Scene& scene)
+std::uint64_t geometry_bytes(const Scene& scene, const PlaceSpaces& places)
 {
     const bool textured = std::any_of(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) {
         return !m.texcoords[0].empty() || !m.texcoords[1].empty() || !m.tangents.empty();
     });
+    const auto spaces = static_cast<std::size_t>(std::count(places.begin(), places.end(), true));
     const std::size_t attribute_bytes =
-        sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0);
+        sizeof(Attributes) + (textured ? sizeof(TextureAttributes) : 0) + spaces * sizeof(Float3);
     const std::size_t vertex_bytes = sizeof(PosedVertex) + attribute_bytes;
     constexpr std::size_t kTriangleBytes = 2 * sizeof(Triangle) + 4 * sizeof(std::uint32_t);
     // Of a ribbon or square on its way, which is a mesh of its own.
@@ -65,7 +66,8 @@ std::size_t thread_bytes(const FrameJob& job)
 {
     const auto samples = static_cast<std::size_t>(job.samples.count);
     const std::size_t pixel_samples = kTilePixels * samples;
-    const std::size_t per_fragment = sizeof(FragmentRun) + 19 * sizeof(float);
+    const std::size_t per_fragment =
+        sizeof(FragmentRun) + (any_placed(job.groups) ? 28 : 19) * sizeof(float);
     std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
                         pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
     const std::size_t triangles = most_triangles_of_a_tile(job.geometry, job.grid.count());
@@ -75,7 +77,7 @@ std::size_t thread_bytes(const FrameJob& job)
     }
     const bool sorts = std::any_of(
         job.groups.begin(), job.groups.end(),
-        [](const TakeGroup& group) { return group.submission != Submission::as_given; });
+        [](const TakeGroup& group) { return group.wants.submission != Submission::as_given; });
     if (sorts) bytes += triangles * 4 * sizeof(SortedTriangle);  // and what stable_sort takes
     bool divides = false;
     for (const Take& take : job.takes) {

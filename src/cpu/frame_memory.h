@@ -12,7 +12,7 @@
 namespace sheer {
 
 // Of the scene's geometry, at most.
-std::uint64_t geometry_bytes(const Scene& scene);
+std::uint64_t geometry_bytes(const Scene& scene, const PlaceSpaces& places = {});
 
 // Throws Error(Fault::work) as plan_memory does. `reserved`: bytes that the caller will need
 // besides; `threads`: wanted. Where there is no room to keep a tile's fragments for the passes over

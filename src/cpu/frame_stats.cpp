@@ -11,7 +11,7 @@ namespace {
 // The stages of one take, summed over the threads.
 void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats& stats)
 {
-    const Submission submission = submission_of(job.takes[take]);
+    const FragmentWants wants = job.takes[take].method.wants();
     const MethodTraits traits = job.takes[take].method.traits();
     const std::vector<const char*>& names = traits.pass_names;
     const auto once = static_cast<std::size_t>(traits.named_once);
@@ -20,7 +20,7 @@ void sum_up(const Workers& workers, const FrameJob& job, std::size_t take, Stats
         if (!worker) continue;
         const TileStore& store = worker->stores[take];
         stats.fragments += store.fragments;
-        stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(submission);
+        stats.ms_raster_shade += store.raster_shade.ms() + worker->passes.ms_keeping(wants);
         for (std::size_t p = 0; p < store.storing.size(); ++p) {
             const std::size_t name = p < once ? p : once + (p - once) % (names.size() - once);
             ms_of_names[name] += store.storing[p].ms();

@@ -1,4 +1,4 @@
-// Takes by the order in which their fragments come.
+// Takes by what they want of their fragments.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,9 @@
 
 namespace sheer {
 
-inline Submission submission_of(const Take& take)
-{
-    const auto submission = take.method.row->submission;
-    return submission != nullptr ? submission(take.method) : Submission::as_given;
-}
-
-// Takes whose fragments come in the same order.
+// Takes that share fragments.
 struct TakeGroup {
-    Submission submission;
+    FragmentWants wants;
     std::vector<std::size_t> takes;
     std::size_t uses = 0;  // how often a tile's fragments are gone through
 };
@@ -27,15 +21,31 @@ inline std::vector<TakeGroup> group_takes(std::span<const Take> takes)
 {
     std::vector<TakeGroup> groups;
     for (std::size_t i = 0; i < takes.size(); ++i) {
-        const Submission submission = submission_of(takes[i]);
+        const FragmentWants wants = takes[i].method.wants();
         auto group = std::find_if(groups.begin(), groups.end(),
-                                  [&](const TakeGroup& g) { return g.submission == submission; });
-        if (group == groups.end()) group = groups.insert(group, {submission, {}, 0});
+                                  [&](const TakeGroup& g) { return g.wants == wants; });
+        if (group == groups.end()) group = groups.insert(group, {wants, {}, 0});
         group->takes.push_back(i);
         group->uses +=
             takes[i].keys.size() * static_cast<std::size_t>(takes[i].method.traits().passes);
     }
     return groups;
+}
+
+inline bool any_placed(const std::vector<TakeGroup>& groups)
+{
+    return std::any_of(groups.begin(), groups.end(),
+                       [](const TakeGroup& group) { return group.wants.places.has_value(); });
+}
+
+inline PlaceSpaces places_of(std::span<const Take> takes)
+{
+    PlaceSpaces places = {};
+    for (const Take& take : takes) {
+        const auto space = take.method.wants().places;
+        if (space) places[static_cast<std::size_t>(*space)] = true;
+    }
+    return places;
 }
 
 // Of the stream: a tile's fragments are kept where they are used more than once.

@@ -11,6 +11,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
+#include "cpu/places-inl.h"
 #include "cpu/triangle_batch-inl.h"
 #include "cpu/visibility-inl.h"
 
@@ -123,6 +124,7 @@ inline void keep_visible(Tile& tile, FragmentRun& run, int to)
         s.green[kept] = s.green[i];
         s.blue[kept] = s.blue[i];
         s.opacity[kept] = s.opacity[i];
+        if (s.placed) s.move_place(kept, i);
         if (s.colored) {
             s.through_red[kept] = s.through_red[i];
             s.through_green[kept] = s.through_green[i];
@@ -153,6 +155,7 @@ HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const C
         through.z.store(s.through_blue.data() + i);
     };
     shade_covered(tile.job, tile.setup, batch, first, end, list, tile.scratch, write);
+    if (tile.job.wants.places) add_places(tile.job, batch, first, end, list, s);
     int kept = s.size;
     for (std::size_t k = first; k < end; ++k) {
         const int begin = batch.begin[k], count = batch.begin[k + 1] - begin;
@@ -234,16 +237,27 @@ inline float centroid_distance(const Triangle& t, bool orthographic)
     return (distance(t.depth[0]) + distance(t.depth[1]) + distance(t.depth[2])) / 3.0f;
 }
 
+inline bool is_drawn_first(const TileJob& job, const Surface& surface)
+{
+    const bool tested = job.wants.masks && surface.alpha_mode == AlphaMode::mask;
+    return !surface.transparent && !tested;
+}
+
+inline bool goes_to_methods(const TileJob& job, const Surface& surface)
+{
+    return surface.transparent ? is_seen_through(surface) : !is_drawn_first(job, surface);
+}
+
 // The transparent triangles, in the job's order.
 template <class Draw>
 HWY_INLINE void for_each_transparent(const TileJob& job, TileScratch& scratch, Draw&& draw)
 {
     std::vector<SortedTriangle>& sorted = scratch.sorted;
-    if (job.submission == Submission::as_given) {
+    if (job.wants.submission == Submission::as_given) {
         for_each_triangle(job, scratch.triangles,
                           [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface)
                               HWY_ATTR {
-                                  if (is_seen_through(surface)) draw(chunk, t);
+                                  if (goes_to_methods(job, surface)) draw(chunk, t);
                               });
         return;
     }
@@ -251,8 +265,8 @@ HWY_INLINE void for_each_transparent(const TileJob& job, TileScratch& scratch, D
     for_each_triangle(
         job, scratch.triangles,
         [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
-            if (!is_seen_through(surface)) return;
-            if (job.submission == Submission::objects_sorted) {
+            if (!goes_to_methods(job, surface)) return;
+            if (job.wants.submission == Submission::objects_sorted) {
                 sorted.push_back({job.surfaces->distances[t.object], surface.id, &chunk, &t});
             } else {
                 const float distance = centroid_distance(t, job.geometry->orthographic);
@@ -287,7 +301,7 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
         for_each_triangle(job, scratch.triangles,
                           [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface)
                               HWY_ATTR {
-                                  if (!surface.transparent) draw(chunk, t, draw_opaque);
+                                  if (is_drawn_first(job, surface)) draw(chunk, t, draw_opaque);
                               });
         if (batch.count > 0) draw_opaque(tile);
     }

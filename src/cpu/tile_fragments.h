@@ -22,7 +22,7 @@ struct TileJob {
     int tile;
     PixelRect rect;    // of the picture; at most kTileSize across
     PixelRect region;  // the part of it that is wanted
-    Submission submission = Submission::as_given;
+    FragmentWants wants = {};
 };
 
 struct TileTriangle {

@@ -89,7 +89,11 @@ TilePasses::TilePasses(TileFragmentsFunction fragments, OpaqueTile opaque, Fragm
 
 void TilePasses::keep(const TileSetting& setting)
 {
-    Stopwatch& watch = keeping_[static_cast<std::size_t>(setting.job.submission)];
+    const FragmentWants& wants = setting.job.wants;
+    auto entry = std::find_if(keeping_.begin(), keeping_.end(),
+                              [&](const auto& of) { return of.first == wants; });
+    if (entry == keeping_.end()) entry = keeping_.insert(entry, {wants, {}});
+    Stopwatch& watch = entry->second;
     watch.start();
     bool fits = true;
     const FragmentConsumer too_long{[](void* context, const FragmentStream&) {
@@ -99,6 +103,14 @@ void TilePasses::keep(const TileSetting& setting)
                                     &fits};
     kept_ = fragments_(setting.job, scratch_, opaque_, stream_, too_long) && fits;
     watch.stop();
+}
+
+double TilePasses::ms_keeping(const FragmentWants& wants) const
+{
+    for (const auto& [of, watch] : keeping_) {
+        if (of == wants) return watch.ms();
+    }
+    return 0;
 }
 
 void TilePasses::restrict_to(const std::vector<char>* chosen)

@@ -7,9 +7,9 @@
 // the other.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "cpu/frame.h"
@@ -70,10 +70,7 @@ public:
         });
     }
 
-    double ms_keeping(Submission submission) const
-    {
-        return keeping_[static_cast<std::size_t>(submission)].ms();
-    }
+    double ms_keeping(const FragmentWants& wants) const;
 
 private:
     template <class Consume>
@@ -90,7 +87,7 @@ private:
     FragmentStream stream_;
     bool kept_ = false;  // stream_ and opaque_ are the whole tile's
     const std::vector<char>* chosen_ = nullptr;
-    std::array<Stopwatch, 3> keeping_;  // by Submission
+    std::vector<std::pair<FragmentWants, Stopwatch>> keeping_;
 };
 
 template <class Consume>

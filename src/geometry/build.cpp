@@ -130,6 +130,22 @@ TextureAttributes mix_texture_attributes(const Context& context, const SourceTri
     return mixed;
 }
 
+// In each space that is wanted.
+void add_own_places(const Context& context, const SourceTriangle& t,
+                    const std::array<float, 3>& weight, TriangleChunk& chunk)
+{
+    for (std::size_t space = 0; space < kPlaceSpaces; ++space) {
+        const std::vector<Float3>& places = context.posed.places[space];
+        if (places.empty()) continue;
+        Float3 mixed{0, 0, 0};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Float3& p = places[t.posed_vertex[i]];
+            for (std::size_t c = 0; c < 3; ++c) mixed[c] += weight[i] * p[c];
+        }
+        chunk.own_places[space].push_back(mixed);
+    }
+}
+
 void add_clipped(const Context& context, const SourceTriangle& t, NewChunk& made)
 {
     TriangleChunk& chunk = made.chunk;
@@ -143,6 +159,7 @@ void add_clipped(const Context& context, const SourceTriangle& t, NewChunk& made
         if (!context.posed.texture_attributes.empty()) {
             chunk.own_texture_attributes.push_back(mix_texture_attributes(context, t, weight));
         }
+        add_own_places(context, t, weight, chunk);
     }
     const auto at = [&](int k) {
         return Corner{&polygon.vertices[static_cast<std::size_t>(k)].posed,
@@ -190,6 +207,13 @@ void make_flat(const Context& context, const Mesh& mesh, std::size_t triangle, S
         own.normal = normal;
         corner.vertex = static_cast<std::uint32_t>(chunk.own.size()) | kOwnVertex;
         chunk.own.push_back(own);
+    }
+    for (std::size_t space = 0; space < kPlaceSpaces; ++space) {
+        const std::vector<Float3>& places = context.posed.places[space];
+        if (places.empty()) continue;
+        for (const std::uint32_t vertex : t.posed_vertex) {
+            chunk.own_places[space].push_back(places[vertex]);
+        }
     }
     if (context.posed.texture_attributes.empty()) return;
     for (const std::uint32_t vertex : t.posed_vertex) {
@@ -270,6 +294,7 @@ Geometry build_geometry(const GeometryJob& job)
     const ScreenMap map(job.projection, job.grid.width, job.grid.height);
     const DrawnObjects drawn(job.scene, job.projection, job.grid.height);
     PosedScene posed = pose_scene(job.scene, drawn, job.projection, map, job.threads);
+    pose_places(job.scene, drawn, job.places, posed);
     Geometry geometry;
     geometry.orthographic = job.projection.orthographic;
     geometry.eye = make_eye(job);
@@ -289,6 +314,7 @@ Geometry build_geometry(const GeometryJob& job)
     });
     geometry.attributes = std::move(posed.attributes);
     geometry.texture_attributes = std::move(posed.texture_attributes);
+    geometry.places = std::move(posed.places);
     return geometry;
 }
 

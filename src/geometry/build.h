@@ -13,6 +13,7 @@ struct GeometryJob {
     TileGrid grid;
     SampleExtent samples;
     int threads;
+    PlaceSpaces places = {};  // Geometry::places that are wanted
 };
 
 // Throws Error(Fault::input) when the scene is too large for its numbering.

@@ -70,9 +70,10 @@ struct NormalMatrix {
 
 struct PosedScene {
     UnfilledVector<PosedVertex> vertices;
-    UnfilledVector<Attributes> attributes;              // of the same vertices
-    std::vector<TextureAttributes> texture_attributes;  // likewise, or empty
-    std::vector<std::uint32_t> first_vertex;            // of each object
+    UnfilledVector<Attributes> attributes;                 // of the same vertices
+    std::vector<TextureAttributes> texture_attributes;     // likewise, or empty
+    std::array<std::vector<Float3>, kPlaceSpaces> places;  // likewise
+    std::vector<std::uint32_t> first_vertex;               // of each object
     std::vector<std::uint32_t> first_primitive;  // of each object: primitive ids follow Object::id
     std::vector<NormalMatrix> normal_to_world;   // of each object
     std::vector<bool> mirrored;                  // objects whose transform turns the winding round
@@ -81,5 +82,9 @@ struct PosedScene {
 // Throws Error(Fault::input) when the scene has more than 2^31 vertices or 2^32 triangles.
 PosedScene pose_scene(const Scene& scene, const DrawnObjects& drawn, const Projection& projection,
                       const ScreenMap& map, int threads);
+
+// Fills in places of all vertices in the spaces that are wanted.
+void pose_places(const Scene& scene, const DrawnObjects& drawn, const PlaceSpaces& wanted,
+                 PosedScene& posed);
 
 }  // namespace sheer

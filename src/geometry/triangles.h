@@ -3,6 +3,8 @@
 // surfaces to the last bit.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -19,6 +21,12 @@ struct Attributes {
     Float3 normal;  // world space, not normalised; perspective-correct like the colour
     Float4 color;   // vertex colour, linear straight RGBA
 };
+
+// What a surface's points are named by, for what is to stay on it: where they are in the whole that
+// the object is part of (Object::to_whole) or in the world, or their first texture coordinates.
+enum class PlaceSpace { object, world, texture };
+inline constexpr std::size_t kPlaceSpaces = 3;
+using PlaceSpaces = std::array<bool, kPlaceSpaces>;  // those that are wanted, by PlaceSpace
 
 // Of meshes with texture coordinates.
 struct TextureAttributes {
@@ -52,7 +60,8 @@ struct SampleExtent {
 struct TriangleChunk {
     UnfilledVector<Triangle> triangles;
     std::vector<Attributes> own;  // of vertices that clipping made, and of flat triangles
-    std::vector<TextureAttributes> own_texture_attributes;  // like `own`, or empty
+    std::vector<TextureAttributes> own_texture_attributes;     // like `own`, or empty
+    std::array<std::vector<Float3>, kPlaceSpaces> own_places;  // likewise
     // Triangles that touch tile t: tile_triangles[tile_begin[t] .. tile_begin[t + 1]), in order.
     std::vector<std::uint32_t> tile_begin;
     std::vector<std::uint32_t> tile_triangles;
@@ -75,6 +84,8 @@ struct Geometry {
     UnfilledVector<Attributes> attributes;
     // Like `attributes`; empty where no mesh has texture coordinates.
     std::vector<TextureAttributes> texture_attributes;
+    // Like `attributes`; empty in spaces that are not wanted.
+    std::array<std::vector<Float3>, kPlaceSpaces> places;
     std::vector<TriangleChunk> chunks;
     bool orthographic = false;
     Eye eye;
@@ -89,6 +100,13 @@ struct Geometry {
         if (texture_attributes.empty()) return {};
         return (vertex & kOwnVertex) != 0 ? chunk.own_texture_attributes[vertex & ~kOwnVertex]
                                           : texture_attributes[vertex];
+    }
+    // In a space that is wanted.
+    const Float3& place_of(PlaceSpace space, const TriangleChunk& chunk, std::uint32_t vertex) const
+    {
+        const auto s = static_cast<std::size_t>(space);
+        return (vertex & kOwnVertex) != 0 ? chunk.own_places[s][vertex & ~kOwnVertex]
+                                          : places[s][vertex];
     }
 };
 

@@ -221,6 +221,11 @@ struct Lanes {
     }
     static HWY_INLINE whole bits_of(real a) { return whole::bits_of(a); }
     static HWY_INLINE real real_of_bits(whole a) { return a.as_real(); }
+    // The largest power of 2 that is no larger; of a positive normal number.
+    static HWY_INLINE real octave(real a)
+    {
+        return (whole::bits_of(a) & whole(0x7f800000u)).as_real();
+    }
     static HWY_INLINE real sqrt(real a) { return hn::Sqrt(a.v); }
     static HWY_INLINE real gather(const float* base, whole index)
     {

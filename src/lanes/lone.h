@@ -22,7 +22,12 @@ struct Lone {
     static real min(real a, real b) { return a < b ? a : b; }
     static real max(real a, real b) { return a > b ? a : b; }
     static real to_real(whole a) { return static_cast<real>(a); }
-    static whole to_whole(real a) { return static_cast<whole>(a); }
+    static whole to_whole(real a)
+    {
+        return a < 0 ? static_cast<whole>(static_cast<std::int32_t>(a)) : static_cast<whole>(a);
+    }
+    static real floor(real a) { return std::floor(a); }
+    static real octave(real a) { return std::ldexp(real(1), std::ilogb(a)); }
     static real sqrt(real a) { return std::sqrt(a); }
     // Of a float, which is all that there are bits for.
     static whole bits_of(real a) { return std::bit_cast<whole>(static_cast<float>(a)); }

@@ -73,6 +73,18 @@ SHEER_FN real real_of_bits(whole a)
 {
     return L::real_of_bits(a);
 }
+SHEER_FN real abs(real a)
+{
+    return L::max(a, real(0.0f) - a);
+}
+SHEER_FN real floor(real a)
+{
+    return L::floor(a);
+}
+SHEER_FN real octave(real a)
+{
+    return L::octave(a);
+}
 SHEER_FN real sqrt(real a)
 {
     return L::sqrt(a);

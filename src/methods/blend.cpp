@@ -82,10 +82,12 @@ StoreVerbs blend_verbs(TargetSet targets, const ChosenMethod&, int samples)
     return SHEER_DISPATCH(blend_store, targets)(samples);
 }
 
-Submission sorted_blend_submission(const ChosenMethod& method)
+FragmentWants sorted_blend_wants(const ChosenMethod& method)
 {
-    return method.value("by") == "object" ? Submission::objects_sorted
-                                          : Submission::triangles_sorted;
+    FragmentWants wants;
+    wants.submission =
+        method.value("by") == "object" ? Submission::objects_sorted : Submission::triangles_sorted;
+    return wants;
 }
 
 }  // namespace sheer

@@ -92,6 +92,11 @@ double ChosenMethod::real(std::string_view parameter) const
     return number;
 }
 
+FragmentWants ChosenMethod::wants() const
+{
+    return row->wants != nullptr ? row->wants(*this) : FragmentWants{};
+}
+
 MethodTraits ChosenMethod::traits() const
 {
     return row->traits_of != nullptr ? row->traits_of(*this) : row->traits;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include <sheer/scene.h>
 
+#include "geometry/triangles.h"
 #include "lanes/targets.h"
 #include "raster/fragments.h"
 #include "raster/opaque_tile.h"
@@ -60,6 +62,7 @@ struct SampleColors : SampleValues<4> {
 
 struct MethodRow;
 struct MethodTraits;
+struct FragmentWants;
 
 // A row and its parameters' values, chosen by ID[:NAME=VALUE]...
 struct ChosenMethod {
@@ -70,7 +73,8 @@ struct ChosenMethod {
     std::string parameters_text() const;                         // NAME=VALUE:NAME=VALUE
     int number(std::string_view parameter) const;                // of whole numbers
     double real(std::string_view parameter) const;               // of real ones
-    MethodTraits traits() const;                                 // with these values
+    FragmentWants wants() const;
+    MethodTraits traits() const;  // with these values
 };
 
 // Throws Error(Fault::input) that names what does not exist and what does.
@@ -172,6 +176,17 @@ enum class Submission {
     triangles_sorted,  // farthest triangle first: by its centroid
 };
 
+// What a method asks of a tile's fragments.
+struct FragmentWants {
+    Submission submission = Submission::as_given;
+    std::optional<PlaceSpace> places;  // FragmentStream::place, in this space
+    // MASK surfaces come with their opacities, for the method to test; else they are drawn first,
+    // where they pass their cutoff.
+    bool masks = false;
+
+    bool operator==(const FragmentWants&) const = default;
+};
+
 struct Parameter {
     const char* name;
     // "a|b|c", of which any may be "least..most", for whole numbers, or with points for real ones.
@@ -233,7 +248,7 @@ struct MethodRow {
     // The same for scenes with coloured glass; null: takes the mean over the channels.
     StoreVerbs (*colored_verbs)(TargetSet targets, const ChosenMethod& method,
                                 int samples) = nullptr;
-    Submission (*submission)(const ChosenMethod& method) = nullptr;   // null: as given
+    FragmentWants (*wants)(const ChosenMethod& method) = nullptr;     // null: nothing special
     MethodTraits (*traits_of)(const ChosenMethod& method) = nullptr;  // null: always `traits`
     // Why the values do not go together or not with so many samples, after "method: ID: "; empty
     // if they do. Null: they always do.

@@ -1,6 +1,7 @@
 // The table of methods.
 #include <array>
 
+#include "methods/alpha_test_rows.h"
 #include "methods/method.h"
 
 namespace sheer {
@@ -13,7 +14,7 @@ StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method,
 StoreVerbs phenomenological_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs phenomenological_colored_verbs(TargetSet targets, const ChosenMethod& method,
                                           int samples);
-Submission sorted_blend_submission(const ChosenMethod& method);
+FragmentWants sorted_blend_wants(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
 MethodRow slab_row();
@@ -35,7 +36,7 @@ MethodRow wavelet_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 23> kTable = {{
+    static const std::array<MethodRow, 29> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -62,7 +63,7 @@ std::span<const MethodRow> method_table()
                          "triangle's centroid"}},
          .traits = {.bytes_per_sample = 16, .merges_in_order = true, .exact_up_to = 1},
          .verbs = blend_verbs,
-         .submission = sorted_blend_submission},
+         .wants = sorted_blend_wants},
         {.id = "exact",
          .title = "A-buffer: every fragment kept, sorted at each sample",
          .citation = "Carpenter. The A-buffer, an Antialiased Hidden Surface Method. SIGGRAPH 1984",
@@ -76,6 +77,12 @@ std::span<const MethodRow> method_table()
                     .exact_up_to = -1},
          .verbs = exact_verbs,
          .colored_verbs = exact_colored_verbs},
+        alpha_test_row(),
+        stochastic_alpha_test_row(),
+        hashed_alpha_test_row(),
+        alpha_to_coverage_row(),
+        hashed_alpha_to_coverage_row(),
+        screen_door_row(),
         depth_peeling_row(),
         dual_depth_peeling_row(),
         bucket_peeling_row(),

@@ -2,6 +2,7 @@
 // method.
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "raster/depth_plane.h"
@@ -36,9 +37,13 @@ struct FragmentStream {
     // 1 - opacity is their mean. Else empty.
     AlignedArray<float> through_red, through_green, through_blue;
     bool colored = false;
+    // Where wanted: the place on the surface at which the fragment is shaded, and how it changes
+    // along a pixel to the right and down; three coordinates each. Else empty.
+    std::array<AlignedArray<float>, 9> place;
+    bool placed = false;
 
     FragmentStream() = default;
-    explicit FragmentStream(int most, bool with_colors = false)
+    explicit FragmentStream(int most, bool with_colors = false, bool with_places = false)
         : capacity(most),
           runs(most),
           pixel(most + kSlack),
@@ -50,10 +55,13 @@ struct FragmentStream {
           blue(most + kSlack),
           opacity(most + kSlack)
     {
-        if (!with_colors) return;
-        colored = true;
+        colored = with_colors;
+        placed = with_places;
         for (AlignedArray<float>* through : {&through_red, &through_green, &through_blue}) {
-            *through = AlignedArray<float>(most + kSlack);
+            if (colored) *through = AlignedArray<float>(most + kSlack);
+        }
+        for (AlignedArray<float>& coordinate : place) {
+            if (placed) coordinate = AlignedArray<float>(most + kSlack);
         }
     }
 
@@ -67,10 +75,15 @@ struct FragmentStream {
         for (AlignedArray<float>* values : {&depth, &red, &green, &blue, &opacity}) {
             (*values)[to] = (*values)[from];
         }
+        if (placed) move_place(to, from);
         if (!colored) return;
         for (AlignedArray<float>* values : {&through_red, &through_green, &through_blue}) {
             (*values)[to] = (*values)[from];
         }
+    }
+    void move_place(std::size_t to, std::size_t from)
+    {
+        for (AlignedArray<float>& coordinate : place) coordinate[to] = coordinate[from];
     }
     std::uint64_t sample_bits(std::size_t i) const
     {

@@ -1,5 +1,5 @@
 // Masks of alpha to coverage and what two of them share, exactly: section 8 of C. Wyman, M.
-// McGuire, "Improved alpha testing using hashed sampling", 2017. Sample i of n is kept when a
+// McGuire, "Improved alpha testing using hashed sampling", 2019. Sample i of n is kept when a
 // fragment's opacity alpha is at least the sample's threshold.
 #pragma once
 

@@ -1,5 +1,5 @@
 // Thresholds of hashed alpha testing, in double precision: C. Wyman, M. McGuire, "Improved alpha
-// testing using hashed sampling", 2017. A fragment whose opacity is below its threshold is
+// testing using hashed sampling", 2019. A fragment whose opacity is below its threshold is
 // discarded.
 #pragma once
 

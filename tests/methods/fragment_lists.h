@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <cstdio>
@@ -23,6 +24,7 @@ struct ListedFragment {
     float red, green, blue, opacity;
     float center, dx, dy, least, most;  // depth at the pixel's centre, and its plane
     std::uint32_t back_facing;
+    std::array<float, 9> place;  // FragmentStream::place
 };
 
 struct FragmentLists {
@@ -91,13 +93,22 @@ inline void list_fragments(FragmentLists& lists)
         const DepthPlane& d = run.depth;
         for (std::size_t i = run.first; i < run.first + run.count; ++i) {
             const std::uint32_t at = next[f.pixel[i]]++;
-            lists.fragments[at] = {f.samples[i],  f.samples_high[i],
-                                   run.primitive, run.object,
-                                   f.red[i],      f.green[i],
-                                   f.blue[i],     f.opacity[i],
-                                   f.depth[i],    d.dx,
-                                   d.dy,          d.least,
-                                   d.most,        run.back_facing ? 1u : 0u};
+            lists.fragments[at] = {f.samples[i],
+                                   f.samples_high[i],
+                                   run.primitive,
+                                   run.object,
+                                   f.red[i],
+                                   f.green[i],
+                                   f.blue[i],
+                                   f.opacity[i],
+                                   f.depth[i],
+                                   d.dx,
+                                   d.dy,
+                                   d.least,
+                                   d.most,
+                                   run.back_facing ? 1u : 0u,
+                                   {}};
+            for (std::size_t c = 0; c < 9; ++c) lists.fragments[at].place[c] = f.place[c][i];
             planes[at] = d;
         }
     }

@@ -24,7 +24,7 @@ inline FragmentLists empty_lists(std::string name, int samples, int capacity)
     FragmentLists lists;
     lists.name = std::move(name) + ", S = " + std::to_string(samples);
     lists.set = make_sample_set(samples, SamplePositions::standard);
-    lists.stream = FragmentStream(capacity);
+    lists.stream = FragmentStream(capacity, false, true);
     lists.place.key = 0x5eed1e55u;
     return lists;
 }
@@ -38,7 +38,8 @@ inline FragmentLists lists_of_fullest_tile(const Scene& scene, const std::string
     view.width = view.height = 800;
     const TileGrid grid{view.width, view.height, 0};
     const Projection projection = resolve_camera(scene, view);
-    const Geometry geometry = build_geometry({scene, projection, grid, lists.set.extent, 1});
+    const Geometry geometry =
+        build_geometry({scene, projection, grid, lists.set.extent, 1, {true, false, false}});
     std::vector<std::size_t> triangles(static_cast<std::size_t>(grid.count()));
     for (const TriangleChunk& chunk : geometry.chunks) {
         for (std::size_t t = 0; t + 1 < chunk.tile_begin.size(); ++t) {
@@ -54,7 +55,9 @@ inline FragmentLists lists_of_fullest_tile(const Scene& scene, const std::string
     const PixelRect rect = grid.rect(tile);
     PixelRect region = rect;
     if (samples > 16) region.y1 = region.y0 + kTileSize / 4;
-    const TileJob job{&geometry, &surfaces, &lists.set, tile, rect, region};
+    FragmentWants wants;
+    wants.places = PlaceSpace::object;
+    const TileJob job{&geometry, &surfaces, &lists.set, tile, rect, region, wants};
     const FragmentConsumer full{[](void*, const FragmentStream&) { return false; }, nullptr};
     if (!tile_fragments_for(targets_of(Simd::best))(job, scratch, opaque, lists.stream, full)) {
         throw std::runtime_error(name + ": the tile has too many fragments");
@@ -190,6 +193,12 @@ private:
         f.green[at] = uniform();
         f.blue[at] = uniform();
         f.opacity[at] = opacity;
+        // Derivatives of 2^-12 to 2^3, a twelfth of them 0.
+        const float size = std::ldexp(1.0f, static_cast<int>(run.primitive % 16) - 12);
+        for (std::size_t c = 0; c < 9; ++c) {
+            const float u = bits() % 12 == 0 ? 0.0f : 2 * uniform() - 1;
+            f.place[c][at] = c < 3 ? 20 * u : size * u;
+        }
     }
 
     FragmentLists lists_;

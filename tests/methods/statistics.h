@@ -102,6 +102,27 @@ inline testing::AssertionResult count_agrees(double count, double trials, double
     return verdict(count - trials * probability, kZ * deviation, "the count");
 }
 
+// How often each whole number came out. Outcomes too rare for a normal
+// distribution are counted together.
+inline void expect_counts(const std::vector<int>& outcomes, const std::vector<double>& chances)
+{
+    std::vector<double> counts(chances.size());
+    for (const int outcome : outcomes) counts[static_cast<std::size_t>(outcome)] += 1;
+    const auto trials = static_cast<double>(outcomes.size());
+    double rare_count = 0, rare_chance = 0;
+    for (std::size_t i = 0; i < chances.size(); ++i) {
+        if (trials * chances[i] < 200) {
+            rare_count += counts[i];
+            rare_chance += chances[i];
+            continue;
+        }
+        EXPECT_TRUE(count_agrees(counts[i], trials, chances[i])) << i << " samples";
+    }
+    // Poisson's distribution has more than this with less than the confidence's probability.
+    const double mean = trials * rare_chance;
+    EXPECT_LE(rare_count, mean + kZ * std::sqrt(mean) + (mean > 1e-9 ? kZ * kZ : 0.0));
+}
+
 // The moments of the mean of `count` independent numbers.
 inline reference::Moments moments_of_mean(const reference::Moments& one, double count)
 {

@@ -91,7 +91,8 @@ inline View centered_view(int size, int samples)
     return view;
 }
 
-// Fragments of a whole tile, driven through the verbs of one store.
+// Fragments of a whole tile, driven through the verbs of one store. Their places on a surface,
+// where methods ask for them, are a test's to fill in.
 class DrivenTile {
 public:
     using Fault = std::function<void(FragmentStream&)>;
@@ -101,7 +102,7 @@ public:
           method_(choose_method(method)),
           verbs_(method_.row->verbs(targets_of(Simd::best), method_, samples)),
           store_(verbs_.make({&set_, &method_, {true, 0.1f, 0}, kMostFragments})),
-          stream_(kMostFragments),
+          stream_(kMostFragments, false, true),
           colors_(samples, method_.traits().divides)
     {
     }

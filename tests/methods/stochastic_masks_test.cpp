@@ -84,26 +84,6 @@ std::vector<double> overlap_chances(const std::vector<double>& first,
     return chances;
 }
 
-// Outcomes too rare for a normal distribution are counted together.
-void expect_counts(const std::vector<int>& outcomes, const std::vector<double>& chances)
-{
-    std::vector<double> counts(chances.size());
-    for (const int outcome : outcomes) counts[static_cast<std::size_t>(outcome)] += 1;
-    const auto trials = static_cast<double>(outcomes.size());
-    double rare_count = 0, rare_chance = 0;
-    for (std::size_t i = 0; i < chances.size(); ++i) {
-        if (trials * chances[i] < 200) {
-            rare_count += counts[i];
-            rare_chance += chances[i];
-            continue;
-        }
-        EXPECT_TRUE(count_agrees(counts[i], trials, chances[i])) << i << " samples";
-    }
-    // Poisson's distribution has more than this with less than the confidence's probability.
-    const double mean = trials * rare_chance;
-    EXPECT_LE(rare_count, mean + kZ * std::sqrt(mean) + (mean > 1e-9 ? kZ * kZ : 0.0));
-}
-
 Image red_over_green_picture(std::uint32_t key)
 {
     const Take take{choose_method("stochastic"), {key}};

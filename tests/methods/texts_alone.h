@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "methods/alpha_tests_alone.h"
 #include "methods/fragment_lists.h"
 #include "methods/layered_alone.h"
 #include "methods/method_alone.h"
@@ -53,6 +54,10 @@ struct Texts {
 #include "sheer/deep_shadow_map.glsl"
 #include "sheer/slab_bits.glsl"
 #include "sheer/slab.glsl"
+#include "sheer/alpha_test.glsl"
+#include "sheer/hashed_threshold.glsl"
+#include "sheer/alpha_to_coverage.glsl"
+#include "sheer/screen_door.glsl"
 };
 
 // Of each sample: the colour over the backdrop, in the layout of SampleColors, and the store, in
@@ -208,6 +213,14 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
         if (transmittance_function(method) != nullptr) {
             return make_alone<L, TransmittanceAlone>(lists, method);
         }
+    }
+    // Not with bounds: which fragments pass may be others.
+    if constexpr (requires(typename L::real a) { L::octave(a); }) {
+        if (id == "alpha-test") return make_alone<L, AlphaTestAlone>(lists, method);
+        if (id == "stochastic-alpha-test") return make_alone<L, StochasticTestAlone>(lists, method);
+        if (id == "hashed-alpha-test") return make_alone<L, HashedTestAlone>(lists, method);
+        if (id.ends_with("alpha-to-coverage")) return make_alone<L, CoverageAlone>(lists, method);
+        if (id == "screen-door") return make_alone<L, ScreenDoorAlone>(lists, method);
     }
     throw std::runtime_error(id + " has no text here");
 }

@@ -32,6 +32,24 @@ struct Plate {
 };
 using Plates = std::vector<Plate>;
 
+// Where on its surface the plate is in a pixel, and how that changes over the screen, as
+// FragmentStream::place has it: another plane for each, of all sizes, some along an axis.
+inline std::array<float, 9> place_of(const Plate& plate, std::uint32_t pixel)
+{
+    std::mt19937 random(plate.primitive + 1);
+    std::uniform_real_distribution<float> uniform(-1, 1);
+    std::array<float, 9> place;
+    for (float& c : place) c = uniform(random);
+    const float size = std::ldexp(1.0f, static_cast<int>(random() % 16) - 12);
+    for (std::size_t c = 3; c < 9; ++c) place[c] *= size;
+    if (random() % 4 == 0) place[3] = place[6] = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        place[c] += static_cast<float>(pixel % kTileSize) * place[3 + c] +
+                    static_cast<float>(pixel / kTileSize) * place[6 + c];
+    }
+    return place;
+}
+
 // `at` at the centre of the tile's first pixel. Wide enough that clamping changes nothing.
 inline DepthPlane make_plane(double at, double dx, double dy)
 {
@@ -106,6 +124,8 @@ inline void fill_stream(std::span<const Plate> plates, FragmentStream& stream)
             stream.green[at] = plate.color[1];
             stream.blue[at] = plate.color[2];
             stream.opacity[at] = plate.color[3];
+            const std::array<float, 9> place = place_of(plate, tile_pixel(i));
+            for (std::size_t c = 0; c < 9; ++c) stream.place[c][at] = place[c];
         }
         const auto count = static_cast<std::uint32_t>(stream.size) - first;
         if (count == 0) continue;
@@ -169,7 +189,7 @@ public:
     void insert(std::span<const Plate> plates)
     {
         constexpr std::size_t kMost = kMostFragments / kUsedPixels;
-        static FragmentStream stream(kMostFragments);
+        static FragmentStream stream(kMostFragments, false, true);
         for (; !plates.empty(); plates = plates.subspan(std::min(kMost, plates.size()))) {
             const auto some = plates.first(std::min(kMost, plates.size()));
             seen_.insert(seen_.end(), some.begin(), some.end());
@@ -209,7 +229,7 @@ private:
     void insert_again(int pass)
     {
         constexpr std::size_t kMost = kMostFragments / kUsedPixels;
-        static FragmentStream stream(kMostFragments);
+        static FragmentStream stream(kMostFragments, false, true);
         std::span<const Plate> plates = seen_;
         for (; !plates.empty(); plates = plates.subspan(std::min(kMost, plates.size()))) {
             fill_stream(plates.first(std::min(kMost, plates.size())), stream);

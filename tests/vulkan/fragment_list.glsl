@@ -12,6 +12,7 @@ struct Fragment {
     float red, green, blue, opacity;
     float center, dx, dy, least, most;  // depth at the pixel's centre, and its plane
     uint back_facing;
+    float place[9];  // on the surface, and its change along a pixel to the right and down
 };
 
 struct Tile {

@@ -11,6 +11,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "methods/rounding.h"
 #include "methods/texts_alone.h"
 #include "vulkan/compute_fixture.h"
 
@@ -176,6 +177,7 @@ private:
             all.push_back({2, method.value("window") == "lanczos" ? 1u : 0u});
         }
         if (id == "wavelet") all.push_back({1, static_cast<std::uint32_t>(method.number("rank"))});
+        if (is_alpha_test(method)) add_alpha_test(method, all);
         if (id == "stratified-stochastic") {
             const StratifiedSettings settings = stratified_settings(method);
             all.push_back({1, settings.tracking ? 1u : 0u});
@@ -223,6 +225,37 @@ private:
             all.push_back({id++, static_cast<std::uint32_t>(bits)});
             all.push_back({id++, static_cast<std::uint32_t>(bits >> 32)});
         }
+    }
+
+    static void add_alpha_test(const ChosenMethod& method, std::vector<SpecializationConstant>& all)
+    {
+        const std::string id = method.row->id;
+        const auto is = [&](const char* name, const char* value) {
+            return method.value(name) == value ? 1u : 0u;
+        };
+        if (id == "alpha-test") {
+            all.push_back(
+                {1, std::bit_cast<std::uint32_t>(static_cast<float>(method.real("cutoff")))});
+        }
+        if (id == "stochastic-alpha-test") all.push_back({1, is("threshold", "sample")});
+        if (id == "screen-door") {
+            const int square = method.number("square");
+            all.push_back({1, square == 2 ? 1u : square == 4 ? 2u : 3u});
+            all.push_back({2, is("decorrelate", "object")});
+            all.push_back({3, 1 - is("decorrelate", "off")});
+            all.push_back({4, is("jitter", "on")});
+        }
+        if (!id.starts_with("hashed")) return;
+        const HashedSettings settings = hashed_settings(method);
+        all.push_back({1, static_cast<std::uint32_t>(settings.variant)});
+        all.push_back({2, std::bit_cast<std::uint32_t>(settings.hash_scale)});
+        all.push_back({3, static_cast<std::uint32_t>(settings.hash)});
+        all.push_back({4, settings.octaves ? 1u : 0u});
+        all.push_back({5, settings.uniform ? 1u : 0u});
+        all.push_back({6, settings.third ? 1u : 0u});
+        if (id == "hashed-alpha-test") return;
+        all.push_back({7, is("jitter", "sample")});
+        all.push_back({8, is("decorrelate", "on")});
     }
 
     int samples_;

@@ -54,7 +54,8 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
             tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
                     "stratified-stochastic", "slab", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
                     "depth-peeling", "dual-depth-peeling", "bucket-peeling", "phenomenological",
-                    "deep-shadow-map", "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
+                    "deep-shadow-map", "bucket-peeling:buckets=8:borders=adaptive:peels=2",
+                    "hashed-alpha-test", "hashed-alpha-to-coverage"});
         // Long texts, whose samples have nothing to do with one another.
         if (samples > 4) continue;
         expect_same_bits(tiles, {"moment", "mboit", "fourier", "wavelet"});

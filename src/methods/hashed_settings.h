@@ -1,0 +1,34 @@
+// What the parameters of the hashed methods say of thresholds.
+#pragma once
+
+#include "methods/method.h"
+
+namespace sheer {
+
+enum class HashVariant { isotropic, anisotropic, eight_corners };
+
+struct HashedSettings {
+    HashVariant variant;
+    float hash_scale;  // cells, in pixels
+    int hash;          // as shaders/sheer/hashed_threshold.glsl numbers them
+    bool octaves = true, uniform = true, third = true;
+};
+
+inline HashedSettings hashed_settings(const ChosenMethod& method)
+{
+    const std::string &variant = method.value("variant"), &hash = method.value("hash");
+    const std::string& without = method.value("without");
+    return {variant == "isotropic"     ? HashVariant::isotropic
+            : variant == "anisotropic" ? HashVariant::anisotropic
+                                       : HashVariant::eight_corners,
+            static_cast<float>(method.real("hash-scale")),
+            hash == "paper"     ? 0
+            : hash == "pcg"     ? 1
+            : hash == "lowbias" ? 2
+                                : 3,
+            without != "octaves",
+            without != "uniform",
+            without != "third"};
+}
+
+}  // namespace sheer

@@ -1,0 +1,200 @@
+// Where fragments are on their surfaces, against rays that are cut with planes in doubles.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include <sheer/sheer.h>
+
+#include "cpu/tile_fragments.h"
+#include "geometry/build.h"
+#include "scene/camera.h"
+#include "simd_levels.h"
+
+namespace sheer {
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr int kWidth = 90, kHeight = 64;
+
+// One triangle that a camera at the origin sees along -z.
+struct Sheet {
+    Point corner[3];
+    bool orthographic = false;
+
+    Scene scene() const
+    {
+        Scene scene;
+        Material material;
+        material.shading = Shading::unlit;
+        material.alpha_mode = AlphaMode::blend;
+        material.opacity = 0.5f;
+        material.double_sided = true;
+        scene.materials.push_back(material);
+        Mesh mesh;
+        for (const Point& p : corner) {
+            mesh.positions.push_back(
+                {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
+            // Of the plane's x and y: known wherever the place is.
+            mesh.texcoords[0].push_back(
+                {static_cast<float>(0.5 * p[0] + 1), static_cast<float>(2 * p[1] - p[0])});
+        }
+        mesh.indices = {0, 1, 2};
+        scene.meshes.push_back(mesh);
+        Object object;
+        // A whole that is a quarter turn about z from the world, twice as large and 3 m along x.
+        object.to_whole = Mat4{0, 2, 0, 0, -2, 0, 0, 0, 0, 0, 2, 0, 3, 0, 0, 1};
+        scene.objects.push_back(object);
+        Camera camera;
+        camera.orthographic = orthographic;
+        camera.yfov = 0.9f;
+        camera.xmag = 3.0f * kWidth / kHeight;
+        camera.ymag = 3;
+        camera.znear = 0.1f;
+        camera.zfar = 500;
+        scene.cameras.push_back(camera);
+        return scene;
+    }
+
+    // Of the picture's (x, y) in pixels.
+    Point at(double x, double y) const
+    {
+        const double scale = 2.0 / kHeight * (orthographic ? 3 : std::tan(0.5 * double{0.9f}));
+        const double sx = (x - 0.5 * kWidth) * scale, sy = (0.5 * kHeight - y) * scale;
+        Point a, b, n;
+        for (std::size_t i = 0; i < 3; ++i) {
+            a[i] = corner[1][i] - corner[0][i];
+            b[i] = corner[2][i] - corner[0][i];
+        }
+        for (std::size_t i = 0; i < 3; ++i) {
+            n[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
+        }
+        const double d = n[0] * corner[0][0] + n[1] * corner[0][1] + n[2] * corner[0][2];
+        if (orthographic) return {sx, sy, (d - n[0] * sx - n[1] * sy) / n[2]};
+        const double t = d / (n[0] * sx + n[1] * sy - n[2]);
+        return {t * sx, t * sy, -t};
+    }
+};
+
+Point in_space(PlaceSpace space, const Point& p)
+{
+    if (space == PlaceSpace::object) return {3 - 2 * p[1], 2 * p[0], 2 * p[2]};
+    if (space == PlaceSpace::world) return p;
+    return {0.5 * p[0] + 1, 2 * p[1] - p[0], 0};
+}
+
+// Calls check(x, y, place) for the fragments' pixels.
+template <class Check>
+void for_each_place(const Sheet& sheet, PlaceSpace space, Simd level, Check&& check)
+{
+    const Scene scene = sheet.scene();
+    View view;
+    view.width = kWidth;
+    view.height = kHeight;
+    const SampleSet set = make_sample_set(1, SamplePositions::center);
+    const TileGrid grid{kWidth, kHeight, 0};
+    const Projection projection = resolve_camera(scene, view);
+    const Geometry geometry =
+        build_geometry({scene, projection, grid, set.extent, 1, {true, true, true}});
+    const FrameSurfaces surfaces = make_surfaces(scene, 0, geometry.eye, 1);
+    TileScratch scratch;
+    OpaqueTile opaque(1, false);
+    FragmentStream stream(2 * kTilePixels, false, true);
+    const FragmentConsumer full{[](void*, const FragmentStream&) { return false; }, nullptr};
+    for (int tile = 0; tile < grid.count(); ++tile) {
+        const PixelRect rect = grid.rect(tile);
+        TileJob job{&geometry, &surfaces, &set, tile, rect, rect};
+        job.wants.places = space;
+        ASSERT_TRUE(tile_fragments_for(targets_of(level))(job, scratch, opaque, stream, full));
+        for (int i = 0; i < stream.size; ++i) {
+            std::array<double, 9> place;
+            for (std::size_t c = 0; c < 9; ++c) place[c] = static_cast<double>(stream.place[c][i]);
+            check(rect.x0 + static_cast<int>(stream.pixel[i]) % kTileSize,
+                  rect.y0 + static_cast<int>(stream.pixel[i]) / kTileSize, place);
+        }
+    }
+}
+
+// Corners are snapped to 1/512 pixel at most, along two axes, and a place inside moves no farther
+// than they do: so many pixels' change of the place. What clipping adds to the screen lies outside.
+// Derivatives change by as much over the triangle's 30 pixels or more, twice for the two corners,
+// and with the square of the distance.
+constexpr double kPlace = 2.0 / 512, kChange = 8.0 / 512 / 30 + 1e-4;
+
+void expect_places(const Sheet& sheet)
+{
+    for (const PlaceSpace space : {PlaceSpace::object, PlaceSpace::world, PlaceSpace::texture}) {
+        for (const Simd level : simd_levels()) {
+            int count = 0;
+            for_each_place(sheet, space, level, [&](int px, int py, const auto& place) {
+                const double x = px + 0.5, y = py + 0.5, step = 1e-4;
+                const auto at = [&](double dx, double dy) {
+                    return in_space(space, sheet.at(x + dx, y + dy));
+                };
+                const Point here = at(0, 0), right = at(step, 0), left = at(-step, 0),
+                            down = at(0, step), up = at(0, -step);
+                double most = 0;  // that the place changes by in a pixel
+                for (std::size_t c = 0; c < 3; ++c) {
+                    most = std::max({most, std::abs(right[c] - left[c]) / (2 * step),
+                                     std::abs(down[c] - up[c]) / (2 * step)});
+                }
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double rounding = 1e-6 * (1 + std::abs(here[c]));
+                    EXPECT_NEAR(place[c], here[c], kPlace * most + rounding);
+                    EXPECT_NEAR(place[3 + c], (right[c] - left[c]) / (2 * step),
+                                kChange * most + rounding);
+                    EXPECT_NEAR(place[6 + c], (down[c] - up[c]) / (2 * step),
+                                kChange * most + rounding);
+                }
+                ++count;
+            });
+            EXPECT_GT(count, 400);
+        }
+    }
+}
+
+TEST(Places, OfATriangleInPerspective)
+{
+    expect_places({{{-1.5, -1.2, -2}, {2.5, -1, -5}, {0.3, 1.5, -4}}});
+}
+
+TEST(Places, OfATriangleThatIsCutByTheNearPlane)
+{
+    expect_places({{{-3, -1, 1}, {3, -1, 0.5}, {0, 1.5, -9}}});
+}
+
+TEST(Places, OfATriangleUnderAnOrthographicCamera)
+{
+    expect_places({{{-3, -2.5, -2}, {3.5, -2, -8}, {0.3, 2.5, -4}}, true});
+}
+
+// MASK surfaces come to the methods that test them as BLEND surfaces do.
+TEST(Places, MasksAreTestedAsIfTheyWereBlended)
+{
+    Scene masked = load("builtin:fence"), blended = masked;
+    for (Material& material : blended.materials) {
+        if (material.alpha_mode == AlphaMode::mask) material.alpha_mode = AlphaMode::blend;
+    }
+    View view;
+    view.width = 120;
+    view.height = 90;
+    view.samples = 4;
+    const auto picture = [&](const Scene& scene, const char* method) {
+        Options options;
+        options.method = method;
+        return render(scene, view, options).image.pixels;
+    };
+    for (const char* method : {"hashed-alpha-test", "stochastic-alpha-test", "alpha-to-coverage",
+                               "hashed-alpha-to-coverage", "screen-door"}) {
+        EXPECT_EQ(picture(masked, method), picture(blended, method)) << method;
+        EXPECT_NE(picture(masked, method), picture(masked, "blend")) << method;
+    }
+    // A MASK surface's own cutoff is that of the test.
+    EXPECT_EQ(picture(masked, "alpha-test"), picture(masked, "exact"));
+    EXPECT_EQ(picture(blended, "alpha-test"), picture(masked, "exact"));
+}
+
+}  // namespace
+}  // namespace sheer
