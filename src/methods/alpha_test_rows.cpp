@@ -82,6 +82,7 @@ MethodRow stochastic_alpha_test_row()
 {
     MethodTraits traits = traits_of_nearest();
     traits.bias = Bias::unbiased;
+    traits.random = true;
     return {.id = "stochastic-alpha-test",
             .title = "Stochastic alpha test: a random threshold for each fragment",
             .citation = kWymanMcGuire,
@@ -89,7 +90,6 @@ MethodRow stochastic_alpha_test_row()
             .parameters = {{"threshold", "fragment|sample", "fragment",
                             "of all the pixel's samples, or of each"}},
             .traits = traits,
-            .random = true,
             .verbs = stochastic_alpha_test_verbs,
             .wants = wants_masks};
 }
