@@ -95,6 +95,13 @@ public:
         });
     }
 
+    float transmittance_at(std::size_t pixel, float depth) const
+    {
+        const Fragment f{real(depth), whole(0u), real(0.0f)};
+        return mean_over_samples<L>(
+            count(), [&](std::size_t s) HWY_ATTR { return seen_at(f, pixel, s); });
+    }
+
 private:
     static constexpr float kBeyondAny = std::numeric_limits<float>::infinity();
 
@@ -183,12 +190,17 @@ private:
     }
     static HWY_INLINE whole number(std::size_t i) { return whole(static_cast<std::uint32_t>(i)); }
 
-    HWY_INLINE void add(const Fragment& f, real3 color, std::size_t pixel, std::size_t s)
+    HWY_INLINE real seen_at(const Fragment& f, std::size_t pixel, std::size_t s) const
     {
         real seen(1.0f);
         for (std::size_t i = 0; i < used_[pixel]; ++i) {
             seen = Text::adaptive_seen(seen, load(pixel, i, s), f);
         }
+        return seen;
+    }
+    HWY_INLINE void add(const Fragment& f, real3 color, std::size_t pixel, std::size_t s)
+    {
+        const real seen = seen_at(f, pixel, s);
         float* sum = sums_.channel(pixel, 0) + s;
         save_color<Text>(Text::adaptive_add(load_color<Text>(sum, count()), seen, f, color), sum,
                          count());

@@ -99,6 +99,14 @@ public:
         });
     }
 
+    float transmittance_at(std::size_t pixel, float depth)
+    {
+        if (pass_ == 0 && !make_curves()) return std::numeric_limits<float>::quiet_NaN();
+        if (lengths_[pixel] == 0) return 1.0f;
+        return mean_over_samples<L>(
+            count(), [&](std::size_t s) HWY_ATTR { return seen_at(pixel, s, real(depth)); });
+    }
+
 private:
     static constexpr float kBeyondAny = std::numeric_limits<float>::infinity();
 

@@ -123,6 +123,10 @@ struct StoreVerbs {
     void (*resolve)(void* store, SampleColors& backdrop);
     // After a pass: whether further ones would change nothing. Null: all are needed.
     bool (*done)(const void* store) = nullptr;
+    // Of a method that keeps a function of depth, after all passes but the last: what that lets
+    // pass to the eye from a depth, as fragments have it; the mean over a pixel's samples. Null: it
+    // keeps none.
+    float (*transmittance)(void* store, std::size_t pixel, float depth) = nullptr;
 };
 
 template <class Store>
@@ -151,6 +155,11 @@ StoreVerbs verbs_of()
     };
     if constexpr (requires(const Store& store) { store.done(); }) {
         verbs.done = [](const void* store) { return static_cast<const Store*>(store)->done(); };
+    }
+    if constexpr (requires(Store & store) { store.transmittance_at(std::size_t{}, 0.0f); }) {
+        verbs.transmittance = [](void* store, std::size_t pixel, float depth) {
+            return static_cast<Store*>(store)->transmittance_at(pixel, depth);
+        };
     }
     return verbs;
 }

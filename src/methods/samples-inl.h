@@ -71,6 +71,19 @@ HWY_INLINE void for_each_vector(int samples, Visit&& visit)
     }
 }
 
+// Of value(s) at samples s, s + 1, ..., added up in their order.
+template <class L, class Value>
+HWY_INLINE float mean_over_samples(std::size_t count, Value&& value)
+{
+    double sum = 0;
+    for (std::size_t s = 0; s < count; s += L::kCount) {
+        alignas(64) float values[16];
+        value(s).store(values);
+        for (std::size_t i = 0; i < L::kCount; ++i) sum += static_cast<double>(values[i]);
+    }
+    return static_cast<float>(sum / static_cast<double>(count));
+}
+
 // Calls visit with the number of samples as a constant, which unrolls.
 template <int S, class Visit>
 HWY_INLINE void with_sample_count(int samples, Visit&& visit)

@@ -116,6 +116,17 @@ public:
         });
     }
 
+    // Of samples whose nearest mask is not before it.
+    float transmittance_at(std::size_t pixel, float depth) const
+    {
+        const Depth there{real(depth), whole(0u)};
+        return mean_over_samples<L>(count(), [&](std::size_t s) HWY_ATTR {
+            const Depth kept = load_depth(depths_.channel(pixel, 0) + s, count());
+            return L::zero_unless(Text::stochastic_depth_shows(kept, L::mask_of_bits(~0u), there),
+                                  real(1.0f));
+        });
+    }
+
 private:
     std::size_t count() const { return sample_count<S>(set_.count); }
     bool per_pixel() const { return sums_.values.size() == 0; }

@@ -115,6 +115,20 @@ public:
         }
     }
     const float* places() const { return places_.data(); }
+    HWY_INLINE float place(float depth) const
+    {
+        using One = Lanes<1>;
+        return TransmittanceText<One>::warped_depth(range_.is_distance, One::real(depth),
+                                                    One::real(range_.from),
+                                                    One::real(range_.scale))
+            .greatest();
+    }
+    // 0 of the light from a depth that is behind what is opaque.
+    HWY_INLINE real shown(real light, std::size_t pixel, std::size_t s, float depth) const
+    {
+        if (!any_opaque_) return light;
+        return L::zero_unless(!(opaque_.load(pixel, s).depth < real(depth)), light);
+    }
     // Samples s, s + 1, ... at which fragment i counts, from bit 0 on.
     HWY_INLINE std::uint32_t samples(const FragmentStream& f, std::size_t i, std::size_t s) const
     {

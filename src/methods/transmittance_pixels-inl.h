@@ -99,6 +99,18 @@ public:
         }
     }
 
+    float transmittance_at(std::size_t pixel, float depth)
+    {
+        for (; pass_ <= moment_passes_; ++pass_) finish_pass();
+        const State<Block> state{state_.data(), Block::whole(static_cast<std::uint32_t>(pixel))};
+        const float light =
+            function_.template transmittance<Block>(state, Real(fragments_.place(depth)))
+                .greatest();
+        return mean_over_samples<L>(count(), [&](std::size_t s) HWY_ATTR {
+            return fragments_.shown(real(light), pixel, s, depth);
+        });
+    }
+
 private:
     std::size_t count() const { return sample_count<S>(set_.count); }
 

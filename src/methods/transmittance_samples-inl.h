@@ -158,6 +158,20 @@ public:
         });
     }
 
+    float transmittance_at(std::size_t pixel, float depth)
+    {
+        for (; pass_ <= moment_passes_; ++pass_) finish_pass();
+        const real place(fragments_.place(depth));
+        return mean_over_samples<L>(count(), [&](std::size_t s) HWY_ATTR {
+            real light(1.0f);
+            with_sample_count<S>(set_.count, [&](auto samples) HWY_ATTR {
+                const State<samples> state{state_of(pixel, s)};
+                light = function_.template transmittance<L>(state, place);
+            });
+            return fragments_.shown(light, pixel, s, depth);
+        });
+    }
+
 private:
     std::size_t count() const { return sample_count<S>(set_.count); }
     std::int64_t* sums_of(std::size_t pixel, std::size_t s)
