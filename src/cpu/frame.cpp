@@ -14,6 +14,7 @@
 #include "cpu/shadow_maps.h"
 #include "cpu/stopwatch.h"
 #include "geometry/build.h"
+#include "geometry/meet.h"
 #include "geometry/object_distances.h"
 #include "scene/camera.h"
 #include "support/memory.h"
@@ -208,7 +209,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
                  0,
                  0,
                  request.sink};
-    if (any_measures_depth(takes)) find_depth_extent(geometry, surfaces, job.eye);
+    if (any_measures_depth(takes) || request.sink != nullptr)
+        find_depth_extent(geometry, surfaces, job.eye);
     for (const Take& take : takes) {
         const MethodRow& row = *take.method.row;
         const bool colored = surfaces.any_colored && row.colored_verbs != nullptr;
@@ -226,6 +228,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     Reporter reporter(options.progress, grid.count());
     const auto tiles = static_cast<std::size_t>(grid.count());
     parallel_for(memory.threads, tiles, [&](std::size_t tile, int t) {
+        if (request.only != nullptr && !meet(grid.interior(static_cast<int>(tile)), *request.only))
+            return;
         std::unique_ptr<Worker>& worker = workers[static_cast<std::size_t>(t)];
         if (!worker) worker = make_worker(job);
         draw_tile(job, static_cast<int>(tile), *worker, result);

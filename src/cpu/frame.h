@@ -7,6 +7,7 @@
 
 #include <sheer/render.h>
 
+#include "geometry/tile_grid.h"
 #include "methods/method.h"
 #include "raster/sample_set.h"
 
@@ -63,6 +64,8 @@ struct TakesRequest {
     // one picture.
     int shadow_frame = 0, shadow_frames = 1;
     FragmentSink* sink = nullptr;  // takes the transparent fragments too
+    // Tiles without a pixel of it are left out; null: none are.
+    const PixelRect* only = nullptr;
 };
 
 // The pictures of the takes; options.method and accumulate are not looked at, and the seed is only
