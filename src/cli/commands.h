@@ -12,6 +12,7 @@ void add_methods_command(CLI::App& tool);
 void add_bench_command(CLI::App& tool);
 void add_compare_command(CLI::App& tool);
 void add_diff_command(CLI::App& tool);
+void add_transmittance_command(CLI::App& tool);
 void add_reproduce_command(CLI::App& tool);
 
 }  // namespace sheer

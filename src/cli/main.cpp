@@ -59,6 +59,7 @@ void add_commands(CLI::App& tool)
     add_bench_command(tool);
     add_compare_command(tool);
     add_diff_command(tool);
+    add_transmittance_command(tool);
     add_reproduce_command(tool);
     tool.footer("'sheer COMMAND --help' says more about a command.\n\n" +
                 examples_help({"sheer render builtin:windy-hill -o hill.png",
@@ -67,6 +68,7 @@ void add_commands(CLI::App& tool)
                                "sheer bench builtin:motor --size 500x500 --samples 1,8",
                                "sheer compare scene.glb -o out",
                                "sheer diff blend.exr exact.exr -o error.png",
+                               "sheer transmittance builtin:smoke --pixel 512,384 -o smoke.svg",
                                "sheer reproduce stochastic-examples -o out"}) +
                 "\n" + methods_help() + "\n" + scenes_help());
 }
