@@ -12,8 +12,8 @@ namespace sheer {
 
 namespace {
 
-constexpr double kWidth = 640, kHeight = 420;
-constexpr double kLeft = 70, kRight = 230, kTop = 40, kBottom = 50;
+constexpr double kWidth = 700, kHeight = 420;
+constexpr double kLeft = 70, kRight = 290, kTop = 40, kBottom = 50;
 
 // Told apart by people who see few colours: M. Okabe, K. Ito, "Color universal design", 2002.
 constexpr const char* kColors[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
@@ -58,20 +58,27 @@ std::string line_between(double x0, double y0, double x1, double y1)
            "\" y2=\"" + fixed(y1, 1) + "\" stroke=\"#ccc\"/>\n";
 }
 
-std::string axes(const Frame& frame)
+// A power of two, in as few digits as say which.
+std::string power_text(double log2_x)
+{
+    return log2_x < 0 ? "1/" + fixed(std::ldexp(1, static_cast<int>(-log2_x)), 0)
+                      : fixed(std::ldexp(1, static_cast<int>(log2_x)), 0);
+}
+
+std::string axes(const Frame& frame, const std::string& across)
 {
     std::string svg;
     for (double x = frame.least_x; x <= frame.most_x; ++x) {
         svg += line_between(frame.across(x), kTop, frame.across(x), kHeight - kBottom);
-        svg += text_at(frame.across(x), kHeight - kBottom + 18, fixed(std::ldexp(1, int(x)), 0),
+        svg += text_at(frame.across(x), kHeight - kBottom + 18, power_text(x),
                        " text-anchor=\"middle\"");
     }
     for (double y = frame.least_y; y <= frame.most_y; ++y) {
         svg += line_between(kLeft, frame.down(y), kWidth - kRight, frame.down(y));
         svg += text_at(kLeft - 8, frame.down(y) + 4, "1e" + fixed(y, 0), " text-anchor=\"end\"");
     }
-    return svg + text_at((kLeft + kWidth - kRight) / 2, kHeight - 10, "samples a pixel",
-                         " text-anchor=\"middle\"");
+    return svg +
+           text_at((kLeft + kWidth - kRight) / 2, kHeight - 10, across, " text-anchor=\"middle\"");
 }
 
 bool is_drawn(double x, double y)
@@ -81,7 +88,8 @@ bool is_drawn(double x, double y)
 
 }  // namespace
 
-std::string log_log_chart(const std::string& title, const std::vector<Series>& series)
+std::string log_log_chart(const std::string& title, const std::vector<Series>& series,
+                          const std::string& across)
 {
     Frame frame;
     for (const Series& s : series) {
@@ -93,9 +101,13 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
                       "\" height=\"" + fixed(kHeight, 0) +
                       "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    svg += text_at(kLeft, 24, title, " font-size=\"14\"") + axes(frame);
+    svg += text_at(kLeft, 24, title, " font-size=\"14\"") + axes(frame, across);
     for (std::size_t k = 0; k < series.size(); ++k) {
+        // Dashed from the eighth on.
+        const std::string dashes[] = {"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 3\""};
         const std::string color = kColors[k % std::size(kColors)];
+        const std::string style = "fill=\"none\" stroke-width=\"2\" stroke=\"" + color + "\"" +
+                                  dashes[k / std::size(kColors) % std::size(dashes)];
         std::string points;
         for (std::size_t i = 0; i < series[k].x.size(); ++i) {
             if (!is_drawn(series[k].x[i], series[k].y[i])) continue;
@@ -103,10 +115,10 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
                       fixed(frame.down(log10_of(series[k].y[i])), 1) + " ";
         }
         if (points.empty()) continue;
-        svg += "<polyline fill=\"none\" stroke-width=\"2\" stroke=\"" + color + "\" points=\"" +
-               points + "\"/>\n";
-        svg += text_at(kWidth - kRight + 12, kTop + 14 + 20 * static_cast<double>(k),
-                       series[k].title, " fill=\"" + color + "\"");
+        svg += "<polyline " + style + " points=\"" + points + "\"/>\n";
+        const double legend = kWidth - kRight + 12, y = kTop + 14 + 20 * static_cast<double>(k);
+        svg += "<path " + style + " d=\"M" + fixed(legend, 1) + " " + fixed(y - 4, 1) + "h20\"/>\n";
+        svg += text_at(legend + 26, y, series[k].title, " fill=\"" + color + "\"");
     }
     return svg + "</svg>\n";
 }

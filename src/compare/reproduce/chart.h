@@ -1,4 +1,4 @@
-// A chart of how errors fall with the number of samples.
+// A chart of how errors fall with the number of samples, or of something else.
 #pragma once
 
 #include <string>
@@ -12,7 +12,8 @@ struct Series {
 };
 
 // Both axes logarithmic, a curve and an entry of the legend for each series. As SVG.
-std::string log_log_chart(const std::string& title, const std::vector<Series>& series);
+std::string log_log_chart(const std::string& title, const std::vector<Series>& series,
+                          const std::string& across = "samples a pixel");
 
 // Of the line through the points of log y against log x, by least squares; NaN for fewer than two
 // points above 0.

@@ -19,6 +19,8 @@ constexpr const char* kStochastic =
 constexpr const char* kStratified =
     "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011";
 
+constexpr const char* kMoment = "Sharpe. Moment Transparency. HPG 2018";
+
 constexpr ReproduceEntry kEntries[] = {
     {"stochastic-examples", kStochastic,
      "sections 3.1 to 3.4 and 4.1: errors of the worked examples, by every estimator",
@@ -76,6 +78,11 @@ constexpr ReproduceEntry kEntries[] = {
     {"stratified-combined", kStratified,
      "section 6, future work: the multi-pass methods with stratified samples",
      reproduce_stratified_combined},
+    {"moment-layers", kMoment,
+     "errors of functions of depth by the number of layers, 1 to 128: where each breaks",
+     reproduce_moment_layers},
+    {"moment-gap", kMoment, "the same by the gap between two clusters of layers",
+     reproduce_moment_gap},
 };
 
 }  // namespace
