@@ -34,7 +34,7 @@ std::vector<std::string> methods_with_depth_functions(const DepthFunctionSetting
 {
     std::vector<std::string> ids;
     for (const MethodRow& row : method_table()) {
-        if (row.bench_only || row.random) continue;
+        if (row.bench_only || row.traits.random) continue;
         const ChosenMethod method = choose_method(row.id);
         if (row.refusal != nullptr && !row.refusal(method, setting.samples.count).empty()) continue;
         if (keeps_depth_function(method, setting)) ids.emplace_back(row.id);

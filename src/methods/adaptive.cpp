@@ -98,8 +98,8 @@ public:
     float transmittance_at(std::size_t pixel, float depth) const
     {
         const Fragment f{real(depth), whole(0u), real(0.0f)};
-        return mean_over_samples<L>(
-            count(), [&](std::size_t s) HWY_ATTR { return seen_at(f, pixel, s); });
+        return mean_over_samples<L>(count(),
+                                    [&](std::size_t s) HWY_ATTR { return seen_at(f, pixel, s); });
     }
 
 private:

@@ -119,8 +119,7 @@ public:
     {
         using One = Lanes<1>;
         return TransmittanceText<One>::warped_depth(range_.is_distance, One::real(depth),
-                                                    One::real(range_.from),
-                                                    One::real(range_.scale))
+                                                    One::real(range_.from), One::real(range_.scale))
             .greatest();
     }
     // 0 of the light from a depth that is behind what is opaque.

@@ -63,7 +63,9 @@ TEST(Transmittance, WritesAllNumbers)
         EXPECT_NEAR(adaptive[i], expected, 1e-6) << z;
         // The bias of two layers so far apart; nobody is behind the last, where moments do not
         // look.
-        if (z > 1.05 && z < 1.9) EXPECT_NEAR(moment[i], expected, 1e-3) << z;
+        if (z > 1.05 && z < 1.9) {
+            EXPECT_NEAR(moment[i], expected, 1e-3) << z;
+        }
     }
 }
 

@@ -36,13 +36,15 @@ using Plates = std::vector<Plate>;
 // FragmentStream::place has it: another plane for each, of all sizes, some along an axis.
 inline std::array<float, 9> place_of(const Plate& plate, std::uint32_t pixel)
 {
-    std::mt19937 random(plate.primitive + 1);
+    // Cheap to seed, as is done for each fragment; its first number is nearly the seed.
+    std::minstd_rand random(plate.primitive * 69621u + 1);
+    random.discard(3);
     std::uniform_real_distribution<float> uniform(-1, 1);
     std::array<float, 9> place;
     for (float& c : place) c = uniform(random);
-    const float size = std::ldexp(1.0f, static_cast<int>(random() % 16) - 12);
+    const float size = std::ldexp(1.0f, static_cast<int>(random() >> 8 & 15u) - 12);
     for (std::size_t c = 3; c < 9; ++c) place[c] *= size;
-    if (random() % 4 == 0) place[3] = place[6] = 0;
+    if ((random() >> 8 & 3u) == 0) place[3] = place[6] = 0;
     for (std::size_t c = 0; c < 3; ++c) {
         place[c] += static_cast<float>(pixel % kTileSize) * place[3 + c] +
                     static_cast<float>(pixel / kTileSize) * place[6 + c];

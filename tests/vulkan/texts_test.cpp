@@ -50,12 +50,26 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
         std::vector<FragmentLists> tiles = random_lists(samples);
         tiles.push_back(lists_of_fullest_tile(motor, "motor", samples));
         tiles.push_back(lists_of_fullest_tile(table, "tea table", samples));
-        expect_same_bits(
-            tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
-                    "stratified-stochastic", "slab", "mlab", "z3", "k-buffer", "hybrid", "adaptive",
-                    "depth-peeling", "dual-depth-peeling", "bucket-peeling", "phenomenological",
-                    "deep-shadow-map", "bucket-peeling:buckets=8:borders=adaptive:peels=2",
-                    "hashed-alpha-test", "hashed-alpha-to-coverage"});
+        expect_same_bits(tiles, {"blend",
+                                 "exact",
+                                 "weighted-average",
+                                 "wboit",
+                                 "stochastic",
+                                 "stratified-stochastic",
+                                 "slab",
+                                 "mlab",
+                                 "z3",
+                                 "k-buffer",
+                                 "hybrid",
+                                 "adaptive",
+                                 "depth-peeling",
+                                 "dual-depth-peeling",
+                                 "bucket-peeling",
+                                 "phenomenological",
+                                 "deep-shadow-map",
+                                 "bucket-peeling:buckets=8:borders=adaptive:peels=2",
+                                 "hashed-alpha-test",
+                                 "hashed-alpha-to-coverage"});
         // Long texts, whose samples have nothing to do with one another.
         if (samples > 4) continue;
         expect_same_bits(tiles, {"moment", "mboit", "fourier", "wavelet"});
