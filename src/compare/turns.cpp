@@ -114,6 +114,10 @@ Timing time_method(const std::vector<Stats>& rounds, const Turns& turns)
     const auto fragments = [&](std::size_t i) {
         return ms_fragments(rounds[i]) - opaque(i, ms_fragments);
     };
+    const auto raster_store = [&](std::size_t i) {
+        return rounds[i].ms_raster_shade + rounds[i].ms_store -
+               opaque(i, [](const Stats& stats) { return stats.ms_raster_shade; });
+    };
     const auto other = [&](std::size_t i) {
         return rounds[i].ms_total - ms_shadow(rounds[i]) - opaque(i, ms_before_resolve) -
                fragments(i) - rounds[i].ms_store;
@@ -131,6 +135,7 @@ Timing time_method(const std::vector<Stats>& rounds, const Turns& turns)
             .total_max = most->ms_total,
             .ms_opaque = median_of(n, [&](std::size_t i) { return opaque(i, ms_before_resolve); }),
             .ms_fragments = median_of(n, fragments),
+            .ms_raster_store = median_of(n, raster_store),
             .ms_other = median_of(n, other),
             .ms_base = has_base ? ms_base : kNone,
             .ratio_to_blend = total_over([&](std::size_t i) { return turns.blend[i].ms_total; }),

@@ -41,12 +41,13 @@ struct Timing {
     Stats stats;
     std::size_t rounds;
     double total_min, total_max;
-    double ms_opaque;       // all of a frame of opaque surfaces but for shadow maps and resolve
-    double ms_fragments;    // geometry, raster and shade of what is transparent
-    double ms_other;        // of the total what is none of those, nor shadow maps, nor the store
-    double ms_base;         // NaN: nothing is transparent
-    double ratio_to_blend;  // total times
-    double ratio_to_base;   // the total time over the base time; NaN as that is
+    double ms_opaque;        // all of a frame of opaque surfaces but for shadow maps and resolve
+    double ms_fragments;     // geometry, raster and shade of what is transparent
+    double ms_raster_store;  // raster, shade and store of what is transparent
+    double ms_other;         // of the total what is none of those, nor shadow maps, nor the store
+    double ms_base;          // NaN: nothing is transparent
+    double ratio_to_blend;   // total times
+    double ratio_to_base;    // the total time over the base time; NaN as that is
 };
 
 // The base time is that of one blended pass over all visible transparent geometry with full

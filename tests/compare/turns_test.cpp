@@ -41,6 +41,7 @@ TEST(Turns, BaseIsOneBlendedPassOfWhatIsTransparent)
     EXPECT_DOUBLE_EQ(timing.ratio_to_base, 3.5);
     EXPECT_DOUBLE_EQ(timing.ratio_to_blend, 175.0 / 130);
     EXPECT_DOUBLE_EQ(timing.ms_fragments, 40);  // 20 + 40 less 5 + 15
+    EXPECT_DOUBLE_EQ(timing.ms_raster_store, 40 - 15 + 30);
     // With shadows 55, opaque 25 and the store's 30 it is all of the frame.
     EXPECT_DOUBLE_EQ(timing.ms_other, 175 - 55 - 25 - 40 - 30);
 }
