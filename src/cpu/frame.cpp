@@ -74,6 +74,8 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
             draw_take(job, take, setting, worker, result.frames[take]);
         }
     }
+    // The scene's own fragments, whatever the last method asked for.
+    setting.job.wants = {};
     const ChannelShape shape{job.samples.count, job.grid.width, job.eye};
     const PixelRect interior = job.grid.interior(tile);
     if (job.sink != nullptr) {
@@ -81,7 +83,6 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
             setting, [&](const FragmentStream& s) { job.sink->take(rect, interior, shape, s); });
     }
     if (!result.channels) return;
-    setting.job.wants = {};
     worker.channels.clear();
     worker.passes.visit(setting, [&](const FragmentStream& s) { worker.channels.add(s); });
     worker.channels.write(rect, interior, shape, *result.channels);

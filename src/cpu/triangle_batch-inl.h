@@ -154,13 +154,25 @@ inline void set_detail(const TileJob& job, const TriangleChunk& chunk, const Tri
     set_light_places(job, t, scratch, result);
 }
 
+// Methods that test opacities themselves get those of MASK surfaces, as if they were BLEND.
+HWY_INLINE const Surface& surface_as_drawn(const TileJob& job, const TriangleBatch& batch,
+                                           Surface& blended)
+{
+    const Surface& surface = job.surfaces->surfaces[batch.object()];
+    if (!job.wants.masks || surface.alpha_mode != AlphaMode::mask) return surface;
+    blended = surface;
+    blended.alpha_mode = AlphaMode::blend;
+    return blended;
+}
+
 // Triangle k's fragments, of a material with more than a colour.
 template <class Store>
 HWY_INLINE void shade_detailed(const TileJob& job, const TileSetup& setup,
                                const TriangleBatch& batch, std::size_t k, const CoverageList& list,
                                TileScratch& scratch, Store&& store)
 {
-    const Surface& surface = job.surfaces->surfaces[batch.object()];
+    Surface blended;
+    const Surface& surface = surface_as_drawn(job, batch, blended);
     const Triangle& t = *batch.triangle[k];
     const int end = batch.begin[k + 1];
     TriangleSurface triangle;
@@ -186,7 +198,8 @@ HWY_INLINE void shade_covered(const TileJob& job, const TileSetup& setup,
                               const CoverageList& list, TileScratch& scratch, Store&& store)
 {
     using real = Block::real;
-    const Surface& surface = job.surfaces->surfaces[batch.object()];
+    Surface blended;
+    const Surface& surface = surface_as_drawn(job, batch, blended);
     if (surface.detail != nullptr) {
         for (std::size_t k = first; k < end; ++k) {
             if (batch.begin[k] == batch.begin[k + 1]) continue;

@@ -73,7 +73,7 @@ MethodRow alpha_test_row()
             .continuum = nearest_of("if its opacity reaches a number"),
             .parameters = {{"cutoff", "0.0..1.0", "0.5",
                             "the least opacity that passes, of what is not MASK; MASK surfaces "
-                            "have their own"}},
+                            "have their own; what has no opacity never passes"}},
             .traits = traits_of_nearest(),
             .verbs = alpha_test_verbs};
 }

@@ -108,8 +108,11 @@ StoreVerbs verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
     const bool tracked = is_tracked(method);
     if (is_on(method, "depth-based")) {
-        return (tracked ? stratified_stochastic_depth_verbs : stochastic_depth_verbs)(targets,
-                                                                                      samples);
+        StoreVerbs verbs = (tracked ? stratified_stochastic_depth_verbs : stochastic_depth_verbs)(
+            targets, samples);
+        // Of several passes a store has the last one's function alone.
+        if (method.number("sample-passes") > 1) verbs.transmittance = nullptr;
+        return verbs;
     }
     return (tracked ? stratified_stochastic_verbs : stochastic_verbs)(targets, samples);
 }

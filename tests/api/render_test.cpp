@@ -65,9 +65,9 @@ TEST(Render, RefusesOptionsThatMakeNoSense)
     EXPECT_EQ(refusal(options), "threads: -1 is not between 0 and 4096");
     options = {};
     options.method = "stochastic:masks=tables";
-    EXPECT_EQ(
-        refusal(options),
-        "method: stochastic: masks is naive|stratified|table|tracked|systematic, not 'tables'");
+    EXPECT_EQ(refusal(options),
+              "method: stochastic: masks is naive|stratified|table|tracked|systematic, not "
+              "'tables' (did you mean 'table'?)");
 }
 
 }  // namespace sheer
