@@ -10,7 +10,8 @@
 namespace sheer {
 namespace {
 
-std::vector<Probe> probes_of(const char* source, Filter filter, int threads)
+std::vector<Probe> probes_of(const char* source, Filter filter, int threads,
+                             const char* method = "blend")
 {
     const Scene scene = load(source);
     View view;
@@ -21,7 +22,7 @@ std::vector<Probe> probes_of(const char* source, Filter filter, int threads)
     Options options;
     options.threads = threads;
     Probes probes(view.width, view.height, 100);
-    const Take take{.method = choose_method("blend"), .keys = {frame_key(0, 0)}};
+    const Take take{.method = choose_method(method), .keys = {frame_key(0, 0)}};
     render_takes(scene, view, options, {.takes = {&take, 1}, .sink = &probes});
     return probes.results();
 }
@@ -68,6 +69,16 @@ TEST(Probes, DoNotDependOnThreads)
         }
     }
     EXPECT_GT(steps, 0u);
+}
+
+// Not even where a method asks for MASK surfaces itself: here all is MASK or opaque.
+TEST(Probes, DoNotDependOnTheMethod)
+{
+    for (const char* method : {"blend", "alpha-to-coverage", "hashed-alpha-test"}) {
+        for (const Probe& probe : probes_of("builtin:fence", Filter::box, 1, method)) {
+            ASSERT_EQ(probe.steps.size(), 0u) << method;
+        }
+    }
 }
 
 // Two halves of a pixel at opacity 1 leave nothing; the same half twice leaves half.

@@ -191,6 +191,11 @@ TEST(Places, MasksAreTestedAsIfTheyWereBlended)
         EXPECT_EQ(picture(masked, method), picture(blended, method)) << method;
         EXPECT_NE(picture(masked, method), picture(masked, "blend")) << method;
     }
+    // Objects' opacity makes no other difference to one than to the other.
+    for (Scene* scene : {&masked, &blended}) set_opacity(*scene, "*", 0.75f);
+    EXPECT_EQ(picture(masked, "alpha-to-coverage"), picture(blended, "alpha-to-coverage"));
+    EXPECT_NE(picture(masked, "exact"), picture(blended, "exact"));
+    for (Scene* scene : {&masked, &blended}) set_opacity(*scene, "*", 1);
     // A MASK surface's own cutoff is that of the test.
     EXPECT_EQ(picture(masked, "alpha-test"), picture(masked, "exact"));
     EXPECT_EQ(picture(blended, "alpha-test"), picture(masked, "exact"));
