@@ -101,6 +101,11 @@ inline const std::vector<ChosenMethod>& every_method()
         for (const MethodRow& row : method_table()) {
             for (const ChosenMethod& choice : every_choice(row)) made.push_back(choice);
         }
+        // What pairs of values do not meet: as many layers as bits, where order does not matter.
+        for (const char* text : {"slab", "slab:layers=4:bits=4", "slab:layers=8:bits=8",
+                                 "slab:layers=4:bits=4:depth-based=off"}) {
+            made.push_back(choose_method(text));
+        }
         return made;
     }();
     return all;

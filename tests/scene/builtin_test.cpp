@@ -133,10 +133,12 @@ TEST(Builtin, NamesWhatExists)
     const std::string all =
         "layers, quads, motor, checker, fence, smoke, cloth, hair, foliage, tree, "
         "grass-and-smoke, burning-house, windy-hill";
-    EXPECT_EQ(error_of("layer"), "builtin:layer: no such scene; there are " + all);
+    EXPECT_EQ(error_of("layer"),
+              "builtin:layer: no such scene (did you mean 'layers'?); there are " + all);
     EXPECT_EQ(error_of(""), "builtin:: no such scene; there are " + all);
     EXPECT_EQ(error_of("quads?layer=3"),
-              "builtin:quads: layer: no such parameter; there are layers, split");
+              "builtin:quads: layer: no such parameter (did you mean 'layers'?); there are "
+              "layers, split");
 }
 
 TEST(Builtin, NamesWhatIsWrongWithAValue)
