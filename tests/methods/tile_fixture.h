@@ -126,6 +126,7 @@ inline void fill_stream(std::span<const Plate> plates, FragmentStream& stream)
             stream.green[at] = plate.color[1];
             stream.blue[at] = plate.color[2];
             stream.opacity[at] = plate.color[3];
+            if (!stream.placed) continue;
             const std::array<float, 9> place = place_of(plate, tile_pixel(i));
             for (std::size_t c = 0; c < 9; ++c) stream.place[c][at] = place[c];
         }
