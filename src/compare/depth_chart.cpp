@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compare/svg.h"
 #include "support/text.h"
 
 namespace sheer {
@@ -16,41 +17,10 @@ constexpr double kLetter = 7.5, kLine = 18;  // of the legend, at 12 pixels
 // What a point may be off the line without being drawn: less than anybody sees.
 constexpr double kOff = 0.05;
 
-// Told apart by people who see few colours: M. Okabe, K. Ito, "Color universal design", 2002;
-// black is for the first curve, and those after the seventh are dashed.
-constexpr const char* kColors[] = {"#0072B2", "#D55E00", "#009E73",
-                                   "#CC79A7", "#E69F00", "#56B4E9"};
-
-struct Point {
-    double x, y;
-};
-
-std::string escaped(const std::string& text)
-{
-    std::string result;
-    for (const char c : text) {
-        if (c == '&') {
-            result += "&amp;";
-        } else if (c == '<') {
-            result += "&lt;";
-        } else {
-            result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-        }
-    }
-    return result;
-}
-
-std::string text_at(Point at, const std::string& text, const std::string& more = "")
-{
-    return "<text x=\"" + fixed(at.x, 1) + "\" y=\"" + fixed(at.y, 1) + "\"" + more + ">" +
-           escaped(text) + "</text>\n";
-}
-
-std::string line_between(Point a, Point b, const std::string& style)
-{
-    return "<line x1=\"" + fixed(a.x, 1) + "\" y1=\"" + fixed(a.y, 1) + "\" x2=\"" + fixed(b.x, 1) +
-           "\" y2=\"" + fixed(b.y, 1) + "\" " + style + "/>\n";
-}
+using svg::kColors;
+using svg::line_between;
+using svg::Point;
+using svg::text_at;
 
 // What is drawn: distances from left to right, values from the bottom up.
 struct Plot {
@@ -140,12 +110,14 @@ std::string polyline(const std::vector<Point>& points, const std::string& style)
     return svg + "\"/>\n";
 }
 
+// The first curve is black; those after the seventh are dashed.
 std::string style_of(std::size_t k)
 {
     if (k == 0) return "stroke=\"#000\" stroke-width=\"3\"";
-    std::string style = "stroke=\"" + std::string(kColors[(k - 1) % std::size(kColors)]) +
-                        "\" stroke-width=\"1.5\"";
-    const std::size_t round = (k - 1) / std::size(kColors);
+    constexpr std::size_t kOthers = std::size(kColors) - 1;  // than black
+    std::string style =
+        "stroke=\"" + std::string(kColors[1 + (k - 1) % kOthers]) + "\" stroke-width=\"1.5\"";
+    const std::size_t round = (k - 1) / kOthers;
     if (round > 0) style += round == 1 ? " stroke-dasharray=\"6 3\"" : " stroke-dasharray=\"2 2\"";
     return style;
 }

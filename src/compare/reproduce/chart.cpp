@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "compare/svg.h"
 #include "support/math.h"
 #include "support/text.h"
 
@@ -15,9 +16,8 @@ namespace {
 constexpr double kWidth = 700, kHeight = 420;
 constexpr double kLeft = 70, kRight = 290, kTop = 40, kBottom = 50;
 
-// Told apart by people who see few colours: M. Okabe, K. Ito, "Color universal design", 2002.
-constexpr const char* kColors[] = {"#000000", "#0072B2", "#D55E00", "#009E73",
-                                   "#CC79A7", "#E69F00", "#56B4E9"};
+using svg::kColors;
+using svg::text_at;
 
 double log10_of(double x)
 {
@@ -46,16 +46,9 @@ struct Frame {
     }
 };
 
-std::string text_at(double x, double y, const std::string& text, const std::string& more = "")
+std::string grid_line(svg::Point a, svg::Point b)
 {
-    return "<text x=\"" + fixed(x, 1) + "\" y=\"" + fixed(y, 1) + "\"" + more + ">" + text +
-           "</text>\n";
-}
-
-std::string line_between(double x0, double y0, double x1, double y1)
-{
-    return "<line x1=\"" + fixed(x0, 1) + "\" y1=\"" + fixed(y0, 1) + "\" x2=\"" + fixed(x1, 1) +
-           "\" y2=\"" + fixed(y1, 1) + "\" stroke=\"#ccc\"/>\n";
+    return svg::line_between(a, b, "stroke=\"#ccc\"");
 }
 
 // A power of two, in as few digits as say which.
@@ -69,16 +62,16 @@ std::string axes(const Frame& frame, const std::string& across)
 {
     std::string svg;
     for (double x = frame.least_x; x <= frame.most_x; ++x) {
-        svg += line_between(frame.across(x), kTop, frame.across(x), kHeight - kBottom);
-        svg += text_at(frame.across(x), kHeight - kBottom + 18, power_text(x),
+        svg += grid_line({frame.across(x), kTop}, {frame.across(x), kHeight - kBottom});
+        svg += text_at({frame.across(x), kHeight - kBottom + 18}, power_text(x),
                        " text-anchor=\"middle\"");
     }
     for (double y = frame.least_y; y <= frame.most_y; ++y) {
-        svg += line_between(kLeft, frame.down(y), kWidth - kRight, frame.down(y));
-        svg += text_at(kLeft - 8, frame.down(y) + 4, "1e" + fixed(y, 0), " text-anchor=\"end\"");
+        svg += grid_line({kLeft, frame.down(y)}, {kWidth - kRight, frame.down(y)});
+        svg += text_at({kLeft - 8, frame.down(y) + 4}, "1e" + fixed(y, 0), " text-anchor=\"end\"");
     }
-    return svg +
-           text_at((kLeft + kWidth - kRight) / 2, kHeight - 10, across, " text-anchor=\"middle\"");
+    return svg + text_at({(kLeft + kWidth - kRight) / 2, kHeight - 10}, across,
+                         " text-anchor=\"middle\"");
 }
 
 bool is_drawn(double x, double y)
@@ -101,7 +94,7 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
                       "\" height=\"" + fixed(kHeight, 0) +
                       "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    svg += text_at(kLeft, 24, title, " font-size=\"14\"") + axes(frame, across);
+    svg += text_at({kLeft, 24}, title, " font-size=\"14\"") + axes(frame, across);
     for (std::size_t k = 0; k < series.size(); ++k) {
         // Dashed from the eighth on.
         const std::string dashes[] = {"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 3\""};
@@ -118,7 +111,7 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
         svg += "<polyline " + style + " points=\"" + points + "\"/>\n";
         const double legend = kWidth - kRight + 12, y = kTop + 14 + 20 * static_cast<double>(k);
         svg += "<path " + style + " d=\"M" + fixed(legend, 1) + " " + fixed(y - 4, 1) + "h20\"/>\n";
-        svg += text_at(legend + 26, y, series[k].title, " fill=\"" + color + "\"");
+        svg += text_at({legend + 26, y}, series[k].title, " fill=\"" + color + "\"");
     }
     return svg + "</svg>\n";
 }
