@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Draws every scene file below a folder and puts the pictures, with their names, on one sheet.
 
-Prints a line for each file: what was drawn of it, or why it is refused. Exit code 1 when the tool
-crashed, hung, or ended with an exit code that it does not have.
+A picture of the expected result that lies beside a file, as glTF's Asset Generator has them, comes
+right after the file's own. Prints a line for each file: what was drawn of it, or why it is refused.
+Exit code 1 when the tool crashed, hung, or ended with an exit code that it does not have.
 """
 
 import argparse
@@ -49,6 +50,15 @@ class Picture:
     def put(self, other, x, y):
         for i, row in enumerate(other.rows):
             self.rows[y + i][3 * x : 3 * (x + other.width)] = row
+
+    def smaller(self, width, height):
+        """That fits: every so many pixels of every so many rows, in the same shape."""
+        step = max(self.width / width, self.height / height)
+        columns, rows = int(self.width / step), int(self.height / step)
+        picked = [3 * int(x * step) for x in range(columns)]
+        taken = [self.rows[int(y * step)] for y in range(rows)]
+        fewer = [bytearray(b"".join(row[i : i + 3] for i in picked)) for row in taken]
+        return Picture(columns, rows, fewer)
 
     def fill(self, x, y, width, height, color):
         for row in self.rows[y : y + height]:
@@ -147,6 +157,11 @@ def draw(tool, scene, png, seconds):
     return True, f"{stats['triangles']:,} triangles, {stats['fragments']:,} fragments, {took:.1f} s"
 
 
+def expected_picture(scene):
+    """Where glTF's Asset Generator has it."""
+    return scene.parent / "Figures" / "SampleImages" / f"{scene.stem}.png"
+
+
 def label_lines(name):
     """The end of the name, which tells more than its beginning."""
     name = name[-LETTERS * LINES :]
@@ -185,21 +200,26 @@ def main():
     files = sorted(p for p in below if p.suffix.lower() in SUFFIXES and p.is_file())
     if not files:
         sys.exit(f"{given.folder}: there is no scene file below it")
-    pictures, misbehaved = {}, 0
-    names = [str(path.relative_to(given.folder)) for path in files]
+    names, pictures, drawn, misbehaved = [], {}, 0, 0
     with tempfile.TemporaryDirectory() as folder:
         png = Path(folder) / "picture.png"
-        for name, path in zip(names, files):
+        for path in files:
+            name = str(path.relative_to(given.folder))
+            names.append(name)
             png.unlink(missing_ok=True)
             behaved, said = draw(tool, path, png, given.seconds)
             misbehaved += not behaved
             if png.exists():
                 pictures[name] = read_png(png)
+                drawn += 1
             print(f"{name}: {said}", flush=True)
+            if expected_picture(path).is_file():
+                names.append(f"{name} expected")
+                pictures[names[-1]] = read_png(expected_picture(path)).smaller(WIDTH, HEIGHT)
     given.output.parent.mkdir(parents=True, exist_ok=True)
     write_png(given.output, make_sheet(names, pictures))
-    refused = len(names) - len(pictures) - misbehaved
-    print(f"{given.output}: {len(pictures)} drawn, {refused} refused, {misbehaved} crashed or hung")
+    refused = len(files) - drawn - misbehaved
+    print(f"{given.output}: {drawn} drawn, {refused} refused, {misbehaved} crashed or hung")
     sys.exit(1 if misbehaved else 0)
 
 
