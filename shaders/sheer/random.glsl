@@ -20,11 +20,11 @@ SHEER_FN whole identity_seed(whole identity, whole key)
     return hash_whole(identity + hash_whole(key));
 }
 
-// Of that in pixel (x, y) of the picture, both below 2^14.
+// Where the sequence of that in pixel (x, y) of the picture begins, both below 2^14. Numbers on the
+// way to being hashed: of two pixels that share some, one is thousands of rows below the other.
 SHEER_FN whole fragment_seed(whole x, whole y, whole identity)
 {
-    // An odd factor, of MurmurHash3 (Appleby, 2008), spreads the pixels' numbers.
-    return hash_whole((x + (y << 14)) * whole(0x85ebca6bu) + identity);
+    return x + (y << 14) + identity;
 }
 
 // The next number of the sequence that begins at a seed: 32 bits.

@@ -52,8 +52,9 @@ std::vector<Timing> measure(const BenchRequest& request, const std::vector<Setti
                             Scene& scene)
 {
     const std::vector<Object> once = scene.objects;
+    const bool masks = std::ranges::any_of(request.methods, tests_masks);
     if (settings.back().layers > 1 &&
-        repeat_transparent(scene, settings.back().layers).size() == once.size()) {
+        repeat_transparent(scene, settings.back().layers, masks).size() == once.size()) {
         throw Error(Fault::input, "--over layers: nothing in the scene is transparent");
     }
     std::vector<Timing> timings;
@@ -63,7 +64,7 @@ std::vector<Timing> measure(const BenchRequest& request, const std::vector<Setti
             bar.update((static_cast<double>(i) + part) / static_cast<double>(settings.size()));
         };
         scene.objects = once;
-        scene.objects = repeat_transparent(scene, settings[i].layers);
+        scene.objects = repeat_transparent(scene, settings[i].layers, masks);
         const Turns turns = take_turns(scene, settings[i].given.view, settings[i].given.options,
                                        {request.methods, request.repeat, progress});
         std::ranges::copy(time_methods(turns), std::back_inserter(timings));

@@ -61,7 +61,7 @@ PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y)
     return {exponent, std::sqrt(squares / static_cast<double>(n - 2) / uu)};
 }
 
-std::vector<Object> repeat_transparent(const Scene& scene, int times)
+std::vector<Object> repeat_transparent(const Scene& scene, int times, bool tests_masks)
 {
     std::vector<Object> objects = scene.objects;
     std::uint32_t id = 0;
@@ -69,7 +69,8 @@ std::vector<Object> repeat_transparent(const Scene& scene, int times)
     for (int time = 1; time < times; ++time) {
         for (const Object& object : scene.objects) {
             const Mesh& mesh = scene.meshes[object.mesh];
-            if (!is_transparent(scene.materials[mesh.material], object)) continue;
+            const Material& material = scene.materials[mesh.material];
+            if (!makes_fragments(material, object, tests_masks)) continue;
             objects.push_back(object);
             objects.back().id = ++id;
         }

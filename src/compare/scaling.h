@@ -19,7 +19,8 @@ struct PowerLaw {
 PowerLaw fit_power_law(std::span<const double> x, std::span<const double> y);
 
 // All objects, then those that are transparent once more for each time after the first, in the same
-// places: each pixel gets `times` as many fragments. The copies have ids of their own.
-std::vector<Object> repeat_transparent(const Scene& scene, int times);
+// places: each pixel gets `times` as many fragments. The copies have ids of their own. What is MASK
+// is among them for methods that test it.
+std::vector<Object> repeat_transparent(const Scene& scene, int times, bool tests_masks);
 
 }  // namespace sheer

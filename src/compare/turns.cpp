@@ -24,13 +24,14 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
-std::vector<Object> opaque_objects(const Scene& scene)
+// To methods that test what is MASK, or to the others.
+std::vector<Object> opaque_objects(const Scene& scene, bool tests_masks)
 {
     std::vector<Object> opaque;
     std::copy_if(scene.objects.begin(), scene.objects.end(), std::back_inserter(opaque),
                  [&](const Object& object) {
-                     return !is_transparent(scene.materials[scene.meshes[object.mesh].material],
-                                            object);
+                     return !makes_fragments(scene.materials[scene.meshes[object.mesh].material],
+                                             object, tests_masks);
                  });
     return opaque;
 }
@@ -105,11 +106,14 @@ double ms_fragments(const Stats& stats)
 Timing time_method(const std::vector<Stats>& rounds, const Turns& turns)
 {
     const std::size_t n = rounds.size();
+    const bool tests = !turns.untested.empty() && tests_masks(rounds.front().method);
+    const std::vector<Stats>& opaque_rounds = tests ? turns.untested : turns.opaque;
     const auto opaque = [&](std::size_t i, double (*ms)(const Stats&)) {
-        return turns.opaque.empty() ? 0 : ms(turns.opaque[i]);
+        return opaque_rounds.empty() ? 0 : ms(opaque_rounds[i]);
     };
     const auto base = [&](std::size_t i) {
-        return ms_before_resolve(turns.blend[i]) - opaque(i, ms_before_resolve);
+        const double besides = turns.opaque.empty() ? 0 : ms_before_resolve(turns.opaque[i]);
+        return ms_before_resolve(turns.blend[i]) - besides;
     };
     const auto fragments = [&](std::size_t i) {
         return ms_fragments(rounds[i]) - opaque(i, ms_fragments);
@@ -151,6 +155,11 @@ double median(std::vector<double> values)
     return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
+bool tests_masks(const std::string& method)
+{
+    return choose_method(method).wants().masks;
+}
+
 Turns take_turns(Scene& scene, const View& view, const Options& options,
                  const TurnsRequest& request)
 {
@@ -158,10 +167,14 @@ Turns take_turns(Scene& scene, const View& view, const Options& options,
     auto blend = std::find_if(methods.begin(), methods.end(), is_blend);
     if (blend == methods.end()) blend = methods.insert(methods.end(), "blend");
     const auto blend_number = blend - methods.begin();
-    std::vector<Object> opaque = opaque_objects(scene);
+    std::vector<Object> opaque = opaque_objects(scene, false);
+    std::vector<Object> untested = opaque_objects(scene, true);
+    const bool any_opaque = !opaque.empty();
+    const bool any_tested =
+        untested.size() < opaque.size() && std::any_of(methods.begin(), methods.end(), tests_masks);
     const View opaque_view = keep_camera(scene, view);
 
-    const auto pictures = static_cast<double>(methods.size() + (opaque.empty() ? 0 : 1));
+    const auto pictures = static_cast<double>(methods.size() + any_opaque + any_tested);
     double drawn = 0;
     const auto draw = [&](const View& of, const std::string& method, std::vector<Stats>& rounds,
                           bool counts) {
@@ -179,10 +192,13 @@ Turns take_turns(Scene& scene, const View& view, const Options& options,
         for (std::size_t i = 0; i < methods.size(); ++i) {
             draw(view, methods[i], turns.methods[i], round >= 0);
         }
-        if (opaque.empty()) continue;
-        std::swap(scene.objects, opaque);
-        draw(opaque_view, "none", turns.opaque, round >= 0);
-        std::swap(scene.objects, opaque);
+        const auto draw_only = [&](std::vector<Object>& objects, std::vector<Stats>& rounds) {
+            std::swap(scene.objects, objects);
+            draw(opaque_view, "none", rounds, round >= 0);
+            std::swap(scene.objects, objects);
+        };
+        if (any_opaque) draw_only(opaque, turns.opaque);
+        if (any_tested) draw_only(untested, turns.untested);
     }
     turns.blend = turns.methods[static_cast<std::size_t>(blend_number)];
     turns.methods.resize(request.methods.size());

@@ -29,7 +29,13 @@ struct Turns {
     std::vector<std::vector<Stats>> methods;  // the rounds of each, as asked for
     std::vector<Stats> blend;
     std::vector<Stats> opaque;  // without what is transparent; empty where nothing is opaque
+    // Without MASK surfaces too, which are not opaque to methods that test them; empty where there
+    // are no such methods or surfaces.
+    std::vector<Stats> untested;
 };
+
+// Whether a method, ID[:NAME=VALUE]..., gets fragments of MASK surfaces and tests them itself.
+bool tests_masks(const std::string& method);
 
 // While it runs, the scene is without its transparent objects now and then. Throws Error as
 // `render` does, and for what `choose_method` refuses.
@@ -41,7 +47,8 @@ struct Timing {
     Stats stats;
     std::size_t rounds;
     double total_min, total_max;
-    double ms_opaque;        // all of a frame of opaque surfaces but for shadow maps and resolve
+    // Of what is opaque to the method, all of a frame but for shadow maps and resolve.
+    double ms_opaque;
     double ms_fragments;     // geometry, raster and shade of what is transparent
     double ms_raster_store;  // raster, shade and store of what is transparent
     double ms_other;         // of the total what is none of those, nor shadow maps, nor the store

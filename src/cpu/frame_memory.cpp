@@ -83,6 +83,8 @@ std::size_t thread_bytes(const FrameJob& job)
     for (const Take& take : job.takes) {
         const MethodTraits traits = take.method.traits();
         divides = divides || traits.divides;
+        bytes += static_cast<std::size_t>(traits.bytes_per_streamed) *
+                 static_cast<std::size_t>(job.stream_capacity);
         if (!traits.bounded) continue;
         bytes +=
             kTilePixels * static_cast<std::size_t>(traits.bytes_per_pixel(job.samples.count, 0));

@@ -33,29 +33,34 @@ struct Tile {
     const Surface& surface() const { return job.surfaces->surfaces[batch.object()]; }
 };
 
-// Covers the batch's triangles and shades them as soon as all are covered, or no more fragments
-// would fit: `finish(first, end, list)` takes those of triangles first, ..., end - 1 and leaves the
-// list as far as it is to stay. `most`: the list's room.
+// The end of the triangles from `first` on that are covered together: as many as have no more
+// fragments than `room`, but of those with edges too long for 32 bits each by itself.
+inline std::size_t end_of_covered(const TriangleBatch& batch, std::size_t first, int room)
+{
+    std::size_t end = first;
+    for (; end < batch.count; ++end) {
+        room -= most_fragments(batch, end);
+        if (room < 0) break;
+        if ((batch.edges.wide >> end & 1) != 0) return end == first ? end + 1 : end;
+    }
+    return end;
+}
+
+// Covers the batch's triangles and shades them: `finish(first, end, list)` takes those of triangles
+// first, ..., end - 1 and leaves the list as far as it is to stay; of none where no more fragments
+// would fit. `most`: the list's room.
 template <class Finish>
 HWY_INLINE void cover_batch(Tile& tile, CoverageList& list, int most, Finish&& finish)
 {
     TriangleBatch& batch = tile.batch;
     set_up(tile.job, batch);
-    std::size_t first = 0;
-    int begin = list.count;
-    for (std::size_t k = 0; k < batch.count; ++k) {
-        const int more = most_fragments(batch, k);
-        if (list.count + more > most || list.count - begin + more > TriangleBatch::kMostCovered) {
-            batch.begin[k] = list.count;
-            finish(first, k, list);
-            first = k;
-            begin = list.count;
-        }
-        batch.begin[k] = list.count;
-        if (more > 0) cover(tile.job, tile.setup, k, begin, batch, list);
+    for (std::size_t first = 0; first < batch.count;) {
+        const int room = std::min(most - list.count, TriangleBatch::kMostCovered);
+        const std::size_t end = end_of_covered(batch, first, room);
+        if (end > first) cover(tile.job, tile.setup, first, end, batch, list);
+        finish(first, end, list);
+        first = end;
     }
-    batch.begin[batch.count] = list.count;
-    finish(first, batch.count, list);
     batch.count = 0;
 }
 

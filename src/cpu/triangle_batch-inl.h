@@ -36,7 +36,7 @@ inline TileSetup make_tile_setup(const TileJob& job)
 struct TriangleBatch {
     static constexpr std::size_t kMost = Block::kCount;
     // Fragments that wait for shading, at most; a triangle has up to kTilePixels.
-    static constexpr int kMostCovered = 2 * kTilePixels;
+    static constexpr int kMostCovered = CandidateList::kMostPixels;
 
     std::size_t count = 0;
     const TriangleChunk* chunk[kMost];
@@ -44,6 +44,7 @@ struct TriangleBatch {
     CornerBatch corners;
     alignas(64) RealEach depth[3] = {};
     EdgeBatch edges;
+    CandidateList candidates;
     PlaneBatch planes;
     SurfaceBatch<Block> varying;
     // Triangle k's fragments in the list are begin[k], begin[k] + 1, ... before begin[k + 1].
@@ -106,24 +107,31 @@ HWY_INLINE int most_fragments(const TriangleBatch& batch, std::size_t k)
     return batch.edges.width[k] * batch.edges.height[k];
 }
 
-// Appends triangle k's fragments to the list, `first` of which is the first that waits for shading.
-HWY_INLINE void cover(const TileJob& job, const TileSetup& setup, std::size_t k, int first,
-                      TriangleBatch& batch, CoverageList& list)
+// Appends the fragments of triangles first, ..., end - 1 to the list, on which nothing waits for
+// shading. One with edges too long for 32 bits is alone.
+HWY_INLINE void cover(const TileJob& job, const TileSetup& setup, std::size_t first,
+                      std::size_t end, TriangleBatch& batch, CoverageList& list)
 {
     const SampleSet& set = *job.samples;
     const EdgeBatch& edges = batch.edges;
     const int before = list.count;
-    if ((edges.inside >> k & 1) != 0) {
-        cover_all(set, edges, k, list);
-    } else if ((edges.wide >> k & 1) != 0) {
-        const int x = job.rect.x0 + edges.x0[k], y = job.rect.y0 + edges.y0[k];
-        cover_wide(*batch.triangle[k], set, {x, y, x + edges.width[k], y + edges.height[k]},
-                   job.rect.x0, job.rect.y0, list);
-    } else {
-        setup.cover_narrow(edges, k, set, list);
+    std::fill(batch.begin + first, batch.begin + end + 1, before);
+    if ((edges.wide >> first & 1) != 0) {
+        const int x = job.rect.x0 + edges.x0[first], y = job.rect.y0 + edges.y0[first];
+        cover_wide(*batch.triangle[first], set,
+                   {x, y, x + edges.width[first], y + edges.height[first]}, job.rect.x0,
+                   job.rect.y0, list);
+        batch.begin[end] = list.count;
+        std::fill_n(batch.owner, list.count - before, static_cast<std::int32_t>(first));
+        return;
     }
-    for (int i = before; i < list.count; i += Block::kCount) {
-        Block::whole(static_cast<std::int32_t>(k)).store(batch.owner + (i - first));
+    batch.candidates.vectors = 0;
+    for (std::size_t k = first; k < end; ++k) {
+        if (most_fragments(batch, k) > 0) add_candidates(edges, k, batch.candidates);
+    }
+    setup.cover_narrow(edges, batch.candidates, set, list, batch.begin + 1, batch.owner);
+    for (std::size_t k = first; k < end; ++k) {
+        batch.begin[k + 1] = std::max(batch.begin[k], batch.begin[k + 1]);
     }
 }
 

@@ -29,7 +29,7 @@ struct Lanes {
     using I = hn::RebindToSigned<F>;
     using U = hn::RebindToUnsigned<F>;
     static constexpr int kCount = static_cast<int>(hn::MaxLanes(F()));
-    static constexpr bool kOwnMinMax =
+    static constexpr bool kIsX86 =
         HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128;
 
     struct mask {
@@ -59,6 +59,16 @@ struct Lanes {
         HWY_INLINE explicit real(float x) : v(hn::Set(F(), x)) {}
         static HWY_INLINE real load(const float* p) { return hn::LoadU(F(), p); }
         HWY_INLINE void store(float* p) const { hn::StoreU(v, F(), p); }
+        // Leaves the lanes of `stays` as they are in memory.
+        HWY_INLINE void store_unless(mask stays, float* p) const
+        {
+            // Elsewhere a masked store takes several instructions, or long.
+            if constexpr (HWY_TARGET <= HWY_AVX3) {
+                hn::BlendedStore(v, hn::Not(stays.m), F(), p);
+            } else {
+                hn::StoreU(hn::IfThenElse(stays.m, hn::LoadU(F(), p), v), F(), p);
+            }
+        }
         HWY_INLINE float greatest() const { return hn::GetLane(hn::MaxOfLanes(F(), v)); }
         friend HWY_ATTR HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
@@ -172,7 +182,8 @@ struct Lanes {
             } else if constexpr (kCount == 1) {
                 a.store(p);
             } else {
-                hn::CompressStore(v, hn::RebindMask(U(), chosen_.m), U(), p);
+                // Not CompressStore, which takes longer where it writes those lanes alone.
+                hn::StoreU(hn::Compress(v, hn::RebindMask(U(), chosen_.m)), U(), p);
             }
         }
         HWY_INLINE std::size_t count() const { return hn::CountTrue(F(), chosen_.m); }
@@ -201,13 +212,38 @@ struct Lanes {
     // differ in the sign of zero and in what is no number.
     static HWY_INLINE real max(real a, real b)
     {
-        if constexpr (kOwnMinMax) return hn::Max(a.v, b.v);
+        if constexpr (kIsX86) return hn::Max(a.v, b.v);
         return select(a > b, a, b);
     }
     static HWY_INLINE real min(real a, real b)
     {
-        if constexpr (kOwnMinMax) return hn::Min(a.v, b.v);
+        if constexpr (kIsX86) return hn::Min(a.v, b.v);
         return select(a < b, a, b);
+    }
+    // Of two numbers of 16 bits in each lane, `low` and `high`, signed.
+    static constexpr std::uint32_t halves(std::int32_t low, std::int32_t high)
+    {
+        return (static_cast<std::uint32_t>(low) & 0xffffu) | static_cast<std::uint32_t>(high) << 16;
+    }
+    static HWY_INLINE whole halves(whole low, whole high)
+    {
+        return (low & whole(0xffffu)) | (high << 16);
+    }
+    // The low ones' product and the high ones', added up.
+    static HWY_INLINE whole dot_halves(whole a, whole b)
+    {
+        if constexpr (kIsX86) {
+            // There it leaves all in place, in one instruction.
+            const hn::Repartition<std::int16_t, I> pairs;
+            hn::Vec<I> none = hn::Zero(I());
+            return hn::ReorderWidenMulAccumulate(I(), hn::BitCast(pairs, a.v),
+                                                 hn::BitCast(pairs, b.v), none, none);
+        } else {
+            const auto low = [](whole c)
+                                 HWY_ATTR { return (c << 16).template signed_shift_right<16>(); };
+            const auto high = [](whole c) HWY_ATTR { return c.template signed_shift_right<16>(); };
+            return low(a) * low(b) + high(a) * high(b);
+        }
     }
     static HWY_INLINE whole max(whole a, whole b) { return hn::Max(a.v, b.v); }
     static HWY_INLINE whole min(whole a, whole b) { return hn::Min(a.v, b.v); }

@@ -26,7 +26,10 @@ constexpr const char* kWymanMcGuire =
 
 MethodTraits traits_of_nearest()
 {
-    return {.bytes_per_sample = 20, .any_order = Agreement::bits, .merge = Agreement::bits};
+    return {.bytes_per_sample = 20,
+            .bytes_per_streamed = 12,
+            .any_order = Agreement::bits,
+            .merge = Agreement::bits};
 }
 
 // The surfaces that files want to be tested are what these are for.

@@ -117,9 +117,7 @@ private:
                 const std::size_t s = b * L::kCount;
                 const auto here = L::mask_of_bits((s < 32 ? low[i] : high[i]) >> (s & 31));
                 fragment.depth = sample_depth<L>(plane, offset[b], f.depth[i]);
-                Method::save(
-                    Text::stochastic_insert(Method::load(stores + s, Samples), here, fragment),
-                    stores + s, Samples);
+                Method::insert(here, fragment, stores + s, Samples);
             }
         }
     }

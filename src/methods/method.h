@@ -214,6 +214,7 @@ struct MethodTraits {
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
     int bytes_per_fragment_and_sample = 0;  // at most
     int bytes_of_tables = 0;                // of all stores together, at most
+    int bytes_per_streamed = 0;  // what the store notes of each fragment of a stream, besides
     // What a GPU's textures for the same take a pixel of one sample, in the paper's formats; 0: the
     // paper does not say.
     double texture_bytes = 0;

@@ -23,6 +23,7 @@ struct NearestSamples {
     using real3 = typename Text::real3;
     using real = typename L::real;
     using whole = typename L::whole;
+    using mask = typename L::mask;
     static constexpr int kChannels = 5;
 
     static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
@@ -40,6 +41,21 @@ struct NearestSamples {
     {
         return {real::load(at), whole::bits_of(real::load(at + samples)),
                 load_color<Text>(at + 2 * samples, samples)};
+    }
+    // stochastic_insert into what lies there. Returns the depths that it keeps.
+    static HWY_INLINE real insert(mask taken, const Store& fragment, float* at, std::size_t samples)
+    {
+        Store kept;
+        kept.depth = real::load(at);
+        kept.id = whole::bits_of(real::load(at + samples));
+        const mask stays = Text::stochastic_stays(kept, taken, fragment);
+        const real depth = L::select(stays, kept.depth, fragment.depth);
+        depth.store(at);
+        fragment.id.as_real().store_unless(stays, at + samples);
+        fragment.color.x.store_unless(stays, at + 2 * samples);
+        fragment.color.y.store_unless(stays, at + 3 * samples);
+        fragment.color.z.store_unless(stays, at + 4 * samples);
+        return depth;
     }
     static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
     {

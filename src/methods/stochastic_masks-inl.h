@@ -133,15 +133,17 @@ private:
                                    std::size_t count)
     {
         Candidates& c = candidates_;
-        const whole name(name_of(run));
         const bool by_depth = settings.seed_by == SeedBy::depth;
+        const whole identity(by_depth ? 0 : LoneText::identity_seed(name_of(run), key_));
         farthest.for_each_nearer(
             f, run,
             [&](const Block::Packing& packing, std::size_t i, whole pixels,
                 Block::real depths) HWY_ATTR {
                 packing.store(Farthest::numbers(i), c.number + count);
                 packing.store(pixels, c.pixel + count);
-                packing.store(by_depth ? whole::bits_of(depths) : name, c.identity + count);
+                packing.store(
+                    by_depth ? Text::identity_seed(whole::bits_of(depths), whole(key_)) : identity,
+                    c.identity + count);
                 packing.store(whole::bits_of(Block::real::load(f.opacity.data() + i)),
                               c.opacity + count);
                 packing.store(whole::load(f.samples.data() + i), c.samples + count);
@@ -158,13 +160,13 @@ private:
     HWY_INLINE std::size_t make_masks(std::size_t count)
     {
         Candidates& c = candidates_;
-        const whole x0(place_.x), y0(place_.y), key(key_), none(0);
+        const whole x0(place_.x), y0(place_.y), none(0);
         const whole end(static_cast<std::int32_t>(count));
         std::size_t left = 0;
         for (std::size_t i = 0; i < count; i += Block::kCount) {
             const whole pixel = whole::load(c.pixel + i);
             const whole x = x0 + (pixel & whole(kTileSize - 1)), y = y0 + (pixel >> kTileBits);
-            const whole identity = Text::identity_seed(whole::load(c.identity + i), key);
+            const whole identity = whole::load(c.identity + i);
             const whole indices = Block::iota() + whole(static_cast<std::int32_t>(i));
             // What lies past the last may be any number.
             const auto there = indices < end;

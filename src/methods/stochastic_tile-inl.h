@@ -152,10 +152,8 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
                 const auto taken = L::mask_of_bits(masks.word(k, s));
                 fragment.depth = sample_depth<L>(plane, offset[b], depth[i]);
                 float* at = stores + (Method::kChannels * pixel * Samples + s);
-                const auto store =
-                    Text::stochastic_insert(Method::load(at, Samples), taken, fragment);
-                Method::save(store, at, Samples);
-                most = b == 0 ? store.depth : L::max(most, store.depth);
+                const real kept = Method::insert(taken, fragment, at, Samples);
+                most = b == 0 ? kept : L::max(most, kept);
             }
             far[pixel] = most.greatest();
         }

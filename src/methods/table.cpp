@@ -111,8 +111,11 @@ std::span<const MethodRow> method_table()
          .continuum = {"always", "sums, no layer", "a sum, weighted by distance",
                        "the weighted mean of all"},
          .parameters = {},
-         .traits =
-             {.bytes_per_sample = 28, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
+         .traits = {.bytes_per_sample = 28,
+                    .bytes_per_streamed = 4,
+                    .any_order = kRounding,
+                    .merge = kRounding,
+                    .exact_up_to = 1},
          .verbs = phenomenological_verbs,
          .colored_verbs = phenomenological_colored_verbs},
         fourier_row(),

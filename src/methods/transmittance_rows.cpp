@@ -43,6 +43,7 @@ MethodTraits transmittance_traits(int moment_passes, int sums, int state, bool o
     const int function = 8 * sums + 4 * state;
     traits.bytes_per_sample = (traits.divides ? 8 : function + 8) + 20;
     traits.bytes_besides = 1 + (traits.divides ? function : 0);
+    traits.bytes_per_streamed = 12;
     traits.any_order = Agreement::bits;
     traits.merge = Agreement::bits;
     traits.exact_up_to = 1;
@@ -93,6 +94,7 @@ MethodTraits wboit_traits(const ChosenMethod& method)
 {
     MethodTraits traits;
     traits.bytes_per_sample = 20;
+    traits.bytes_per_streamed = 4;
     traits.texture_bytes = 12;
     traits.any_order = traits.merge = Agreement::rounding;
     traits.exact_up_to = 1;

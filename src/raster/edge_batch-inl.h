@@ -47,6 +47,7 @@ struct EdgeBatch {
     // bits), bias included, and what a subpixel to the right and down adds. Zeros: the whole region
     // is inside the edge.
     alignas(64) WholeEach origin[3], step_x[3], step_y[3];
+    alignas(64) WholeEach steps[3];  // both as halves, of triangles in `small`
     // At sample s of a pixel, relative to its corner; `most`: no less than the greatest.
     alignas(64) WholeEach at_sample[kMaxSamples][3];
     alignas(64) WholeEach most[3];
@@ -56,11 +57,12 @@ struct EdgeBatch {
     // not set is out of the way.
     alignas(64) RealEach to_zero[3], no_lower[3], no_upper[3];
     // Bit k, of triangle k: no sample of the region can be covered; all of it is inside; an edge is
-    // too long for 32 bits.
-    std::uint32_t outside, inside, wide;
+    // too long for 32 bits; its bounds are small.
+    std::uint32_t outside, inside, wide, small;
 };
 
-// Where both sides of a triangle's bounds are shorter, what make_edges computes stays below 2^30.
+// Where both sides of a triangle's bounds are shorter, what make_edges computes stays below 2^30,
+// and steps fit into 16 bits.
 inline constexpr int kSmallBounds = 1 << 14;
 // A longer edge (|dx| + |dy|, subpixels) overflows 32 bits within a tile of 2^5 pixels of 2^8
 // subpixels.
@@ -164,8 +166,8 @@ HWY_INLINE void make_edges(const CornerBatch& t, const WantedPixels& wanted, Edg
     b.wide = 0;
 }
 
-// From the edges at the regions' corners, all else.
-HWY_INLINE void make_steps(const SampleSet& set, EdgeBatch& b)
+// From the edges at the regions' corners, all else. `all_small`: of triangles that there are.
+HWY_INLINE void make_steps(const SampleSet& set, bool all_small, EdgeBatch& b)
 {
     using real = Block::real;
     using whole = Block::whole;
@@ -175,8 +177,13 @@ HWY_INLINE void make_steps(const SampleSet& set, EdgeBatch& b)
     const whole x0 = whole::load(b.x0), y0 = whole::load(b.y0);
     for (std::size_t i = 0; i < 3; ++i) {
         const whole x = whole::load(b.step_x[i]), y = whole::load(b.step_y[i]);
+        const whole steps = Block::halves(x, y);
+        steps.store(b.steps[i]);
         for (std::size_t s = 0; s < samples; ++s) {
-            (x * whole(set.x[s]) + y * whole(set.y[s])).store(b.at_sample[s][i]);
+            const whole at =
+                all_small ? Block::dot_halves(steps, whole(Block::halves(set.x[s], set.y[s])))
+                          : x * whole(set.x[s]) + y * whole(set.y[s]);
+            at.store(b.at_sample[s][i]);
         }
         const whole most_x = Block::select(zero < x, whole(extent.x_max), whole(extent.x_min));
         const whole most_y = Block::select(zero < y, whole(extent.y_max), whole(extent.y_min));
@@ -194,13 +201,14 @@ HWY_INLINE void make_steps(const SampleSet& set, EdgeBatch& b)
 HWY_INLINE void set_up_edges(const CornerBatch& t, std::size_t count, const SampleSet& set,
                              const WantedPixels& wanted, EdgeBatch& b)
 {
-    const std::uint32_t small = make_regions(t, set.extent, wanted, b).bits();
+    b.small = make_regions(t, set.extent, wanted, b).bits();
     make_edges(t, wanted, b);
     for (std::size_t k = 0; k < count; ++k) {
-        if ((small >> k & 1) != 0 || b.width[k] <= 0 || b.height[k] <= 0) continue;
+        if ((b.small >> k & 1) != 0 || b.width[k] <= 0 || b.height[k] <= 0) continue;
         make_long_edges(t, k, wanted, b);
     }
-    make_steps(set, b);
+    const std::uint32_t used = (1u << count) - 1;
+    make_steps(set, (b.small & used) == used, b);
 }
 
 }  // namespace sheer::HWY_NAMESPACE

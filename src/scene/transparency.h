@@ -17,4 +17,11 @@ inline bool is_transparent(const Material& material, const Object& object)
     return material.alpha_mode == AlphaMode::blend || is_glass(material) || object.opacity < 1;
 }
 
+// Whether that goes to a method, which may test what is MASK itself.
+inline bool makes_fragments(const Material& material, const Object& object, bool tests_masks)
+{
+    return is_transparent(material, object) ||
+           (tests_masks && material.alpha_mode == AlphaMode::mask);
+}
+
 }  // namespace sheer

@@ -88,7 +88,7 @@ TEST(Scaling, LayersMultiplyTheFragments)
         ASSERT_GT(fragments, 0u);
         for (const int times : {1, 2, 5}) {
             Scene more = scene;
-            more.objects = repeat_transparent(scene, times);
+            more.objects = repeat_transparent(scene, times, false);
             EXPECT_EQ(fragments_of(more), fragments * static_cast<unsigned>(times)) << source;
         }
     }
@@ -99,7 +99,7 @@ TEST(Scaling, LayersLeaveWhatIsOpaqueAlone)
     Scene scene = load("builtin:layers?n=3");
     scene.materials[1].alpha_mode = AlphaMode::opaque;
     scene.objects[2].id = 1000;
-    const std::vector<Object> objects = repeat_transparent(scene, 3);
+    const std::vector<Object> objects = repeat_transparent(scene, 3, false);
     ASSERT_EQ(objects.size(), 3u + 2 * 2);
     std::set<std::uint32_t> ids;
     for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -109,6 +109,14 @@ TEST(Scaling, LayersLeaveWhatIsOpaqueAlone)
         }
     }
     EXPECT_EQ(ids.size(), objects.size());
+}
+
+TEST(Scaling, MaskedLayersAreRepeatedForMethodsThatTestThem)
+{
+    Scene scene = load("builtin:layers?n=3");
+    for (Material& material : scene.materials) material.alpha_mode = AlphaMode::mask;
+    EXPECT_EQ(repeat_transparent(scene, 3, false).size(), 3u);
+    EXPECT_EQ(repeat_transparent(scene, 3, true).size(), 9u);
 }
 
 }  // namespace

@@ -111,6 +111,44 @@ TEST(Turns, DrawsWhatIsOpaqueAlone)
     EXPECT_EQ(turns.opaque[1].fragments, 0u);
 }
 
+// One quad of three is tested, one opaque.
+TEST(Turns, WhatIsTestedIsNotOpaqueToMethodsThatTest)
+{
+    Scene scene = load("builtin:layers?n=3");
+    const auto material = [&](std::size_t i) -> Material& {
+        return scene.materials[scene.meshes[scene.objects[i].mesh].material];
+    };
+    material(0).alpha_mode = AlphaMode::opaque;
+    material(1).alpha_mode = AlphaMode::mask;
+    const Turns turns = take_turns(scene, small_view(), {}, {{"screen-door", "exact"}, 1, {}});
+    EXPECT_EQ(scene.objects.size(), 3u);
+    ASSERT_EQ(turns.opaque.size(), 1u);
+    ASSERT_EQ(turns.untested.size(), 1u);
+    EXPECT_EQ(turns.opaque[0].triangles, 4u);
+    EXPECT_EQ(turns.untested[0].triangles, 2u);
+
+    const Turns others = take_turns(scene, small_view(), {}, {{"exact"}, 1, {}});
+    EXPECT_TRUE(others.untested.empty());
+}
+
+TEST(Turns, EachMethodIsWithoutWhatIsOpaqueToIt)
+{
+    Turns turns;
+    turns.blend = {stats_of({20, 0, 40, 10, 5, 75})};
+    turns.opaque = {stats_of({5, 0, 15, 0, 4, 24})};
+    turns.untested = {stats_of({2, 0, 3, 0, 4, 9})};
+    turns.methods = {turns.blend, turns.blend};
+    turns.methods[0][0].method = "exact";
+    turns.methods[1][0].method = "screen-door";
+    const std::vector<Timing> timings = time_methods(turns);
+    EXPECT_DOUBLE_EQ(timings[0].ms_opaque, 20);
+    EXPECT_DOUBLE_EQ(timings[0].ms_fragments, 40);
+    EXPECT_DOUBLE_EQ(timings[1].ms_opaque, 5);
+    EXPECT_DOUBLE_EQ(timings[1].ms_fragments, 55);
+    // Of `blend` either way.
+    EXPECT_DOUBLE_EQ(timings[1].ms_base, timings[0].ms_base);
+}
+
 TEST(Turns, WithNothingOpaqueNothingElseIsDrawn)
 {
     Scene scene = load("builtin:layers");

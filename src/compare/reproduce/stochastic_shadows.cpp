@@ -122,7 +122,7 @@ std::string meaning_text(int seeds)
 
 void reproduce_stochastic_figure_5(const ReproduceEntry& entry, const ReproduceJob& job)
 {
-    const int seeds = job.quick ? 2 : 8;
+    const int seeds = job.quick ? 4 : 8;
     const Scene scene = cloths_over_floor();
     View view = shadowed_view(job);
     const double pictures = 1 + seeds * static_cast<int>(std::size(kParts));
