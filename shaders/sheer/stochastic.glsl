@@ -27,17 +27,17 @@ SHEER_FN mask stochastic_nearer(StochasticStore s, StochasticStore f)
     return f.depth < s.depth || (f.depth == s.depth && f.id < s.id);
 }
 
-// Whether s outlasts the fragment; `taken`: whether the fragment's mask has this sample.
-// Not "wins": where s lies in memory, what is kept can then be an instruction's own operand.
-SHEER_FN mask stochastic_stays(StochasticStore s, mask taken, StochasticStore f)
+// Whether the fragment takes the sample; `taken`: whether its mask does.
+SHEER_FN mask stochastic_wins(StochasticStore s, mask taken, StochasticStore f)
 {
-    return !(taken && stochastic_nearer(s, f));
+    return taken && stochastic_nearer(s, f);
 }
 
 // The nearer of the two.
 SHEER_FN StochasticStore stochastic_insert(StochasticStore s, mask taken, StochasticStore f)
 {
-    mask stays = stochastic_stays(s, taken, f);
+    // Not "wins": where s lies in memory, what is kept can then be an instruction's own operand.
+    mask stays = !stochastic_wins(s, taken, f);
     s.depth = select(stays, s.depth, f.depth);
     s.id = select(stays, s.id, f.id);
     s.color = select(stays, s.color, f.color);

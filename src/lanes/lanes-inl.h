@@ -59,17 +59,29 @@ struct Lanes {
         HWY_INLINE explicit real(float x) : v(hn::Set(F(), x)) {}
         static HWY_INLINE real load(const float* p) { return hn::LoadU(F(), p); }
         HWY_INLINE void store(float* p) const { hn::StoreU(v, F(), p); }
-        // Leaves the lanes of `stays` as they are in memory.
-        HWY_INLINE void store_unless(mask stays, float* p) const
+        // Leaves the other lanes as they are in memory.
+        HWY_INLINE void store_where(mask m, float* p) const
         {
-            // Elsewhere a masked store takes several instructions, or long.
+            // Elsewhere a masked store takes several instructions, or long, and what is kept can be
+            // a choice's own operand.
             if constexpr (HWY_TARGET <= HWY_AVX3) {
-                hn::BlendedStore(v, hn::Not(stays.m), F(), p);
+                hn::BlendedStore(v, m.m, F(), p);
             } else {
-                hn::StoreU(hn::IfThenElse(stays.m, hn::LoadU(F(), p), v), F(), p);
+                hn::StoreU(hn::IfThenElse(hn::Not(m.m), hn::LoadU(F(), p), v), F(), p);
             }
         }
-        HWY_INLINE float greatest() const { return hn::GetLane(hn::MaxOfLanes(F(), v)); }
+        HWY_INLINE float greatest() const
+        {
+            // Not all of Highway's, which spreads the answer over a long vector.
+            if constexpr (kIsX86 && kCount > 4) {
+                const hn::Half<F> half;
+                const auto other = UpperHalf(half, v);  // which single lanes have not
+                return typename Lanes<kCount / 2>::real(hn::Max(hn::LowerHalf(half, v), other))
+                    .greatest();
+            } else {
+                return hn::GetLane(hn::MaxOfLanes(F(), v));
+            }
+        }
         friend HWY_ATTR HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator*(real a, real b) { return hn::Mul(a.v, b.v); }

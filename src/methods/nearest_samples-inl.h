@@ -48,13 +48,13 @@ struct NearestSamples {
         Store kept;
         kept.depth = real::load(at);
         kept.id = whole::bits_of(real::load(at + samples));
-        const mask stays = Text::stochastic_stays(kept, taken, fragment);
-        const real depth = L::select(stays, kept.depth, fragment.depth);
+        const mask wins = Text::stochastic_wins(kept, taken, fragment);
+        const real depth = L::select(wins, fragment.depth, kept.depth);
         depth.store(at);
-        fragment.id.as_real().store_unless(stays, at + samples);
-        fragment.color.x.store_unless(stays, at + 2 * samples);
-        fragment.color.y.store_unless(stays, at + 3 * samples);
-        fragment.color.z.store_unless(stays, at + 4 * samples);
+        fragment.id.as_real().store_where(wins, at + samples);
+        fragment.color.x.store_where(wins, at + 2 * samples);
+        fragment.color.y.store_where(wins, at + 3 * samples);
+        fragment.color.z.store_where(wins, at + 4 * samples);
         return depth;
     }
     static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
