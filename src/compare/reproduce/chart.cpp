@@ -26,18 +26,24 @@ double log10_of(double x)
 
 struct Frame {
     double least_x = 1e300, most_x = -1e300, least_y = 1e300, most_y = -1e300;  // logarithms
+    bool has_infinity = false;
 
     void take(double x, double y)
     {
-        least_x = std::min(least_x, own_log2(x));
-        most_x = std::max(most_x, own_log2(x));
+        if (std::isfinite(x)) {
+            least_x = std::min(least_x, own_log2(x));
+            most_x = std::max(most_x, own_log2(x));
+        }
+        has_infinity = has_infinity || !std::isfinite(x);
         least_y = std::min(least_y, std::floor(log10_of(y)));
         most_y = std::max(most_y, std::ceil(log10_of(y)));
     }
+    double end_x() const { return most_x + (has_infinity ? 1 : 0); }
+    double log2_of(double x) const { return std::isfinite(x) ? own_log2(x) : end_x(); }
     double across(double log2_x) const
     {
         return kLeft +
-               (log2_x - least_x) / std::max(1.0, most_x - least_x) * (kWidth - kLeft - kRight);
+               (log2_x - least_x) / std::max(1.0, end_x() - least_x) * (kWidth - kLeft - kRight);
     }
     double down(double log10_y) const
     {
@@ -61,10 +67,10 @@ std::string power_text(double log2_x)
 std::string axes(const Frame& frame, const std::string& across)
 {
     std::string svg;
-    for (double x = frame.least_x; x <= frame.most_x; ++x) {
+    for (double x = frame.least_x; x <= frame.end_x(); ++x) {
         svg += grid_line({frame.across(x), kTop}, {frame.across(x), kHeight - kBottom});
-        svg += text_at({frame.across(x), kHeight - kBottom + 18}, power_text(x),
-                       " text-anchor=\"middle\"");
+        svg += text_at({frame.across(x), kHeight - kBottom + 18},
+                       x > frame.most_x ? "infinity" : power_text(x), " text-anchor=\"middle\"");
     }
     for (double y = frame.least_y; y <= frame.most_y; ++y) {
         svg += grid_line({kLeft, frame.down(y)}, {kWidth - kRight, frame.down(y)});
@@ -76,7 +82,7 @@ std::string axes(const Frame& frame, const std::string& across)
 
 bool is_drawn(double x, double y)
 {
-    return x > 0 && y > 0 && std::isfinite(x) && std::isfinite(y);
+    return x > 0 && y > 0 && std::isfinite(y);
 }
 
 }  // namespace
@@ -104,7 +110,7 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
         std::string points;
         for (std::size_t i = 0; i < series[k].x.size(); ++i) {
             if (!is_drawn(series[k].x[i], series[k].y[i])) continue;
-            points += fixed(frame.across(own_log2(series[k].x[i])), 1) + "," +
+            points += fixed(frame.across(frame.log2_of(series[k].x[i])), 1) + "," +
                       fixed(frame.down(log10_of(series[k].y[i])), 1) + " ";
         }
         if (points.empty()) continue;
@@ -120,7 +126,7 @@ double log_log_slope(const Series& series)
 {
     double n = 0, sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
-        if (!is_drawn(series.x[i], series.y[i])) continue;
+        if (!is_drawn(series.x[i], series.y[i]) || !std::isfinite(series.x[i])) continue;
         const double x = own_log(series.x[i]), y = own_log(series.y[i]);
         n += 1;
         sum_x += x;

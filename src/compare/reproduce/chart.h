@@ -11,7 +11,8 @@ struct Series {
     std::vector<double> x, y;  // above 0; points that are not are left out
 };
 
-// Both axes logarithmic, a curve and an entry of the legend for each series. As SVG.
+// Both axes logarithmic, a curve and an entry of the legend for each series; an infinite x comes
+// after the largest of the others. As SVG.
 std::string log_log_chart(const std::string& title, const std::vector<Series>& series,
                           const std::string& across = "samples a pixel");
 

@@ -27,4 +27,8 @@ Image enlarge(const Image& picture, const Crop& crop, int times);
 // Of pictures of one size, two or more, each of a seed of its own.
 Moments moments_of(const std::vector<Image>& images);
 
+// Whether some pixels are biased, of whatever sign: in standard errors, what is left of the squared
+// differences from the truth without the part that so many seeds have anyway. NaN without noise.
+double bias_z(const Moments& moments, const Image& truth);
+
 }  // namespace sheer

@@ -19,6 +19,9 @@ constexpr const char* kStochastic =
 constexpr const char* kStratified =
     "Laine and Karras. Stratified Sampling for Stochastic Transparency. EGSR 2011";
 
+constexpr const char* kContinuum =
+    "Wyman. Exploring and Expanding the Continuum of OIT Algorithms. HPG 2016";
+
 constexpr const char* kMoment = "Sharpe. Moment Transparency. HPG 2018";
 
 constexpr ReproduceEntry kEntries[] = {
@@ -78,6 +81,9 @@ constexpr ReproduceEntry kEntries[] = {
     {"stratified-combined", kStratified,
      "section 6, future work: the multi-pass methods with stratified samples",
      reproduce_stratified_combined},
+    {"slab-knob", kContinuum,
+     "error, noise and bias by the number of bits: from stochastic transparency to a k-buffer",
+     reproduce_slab_knob},
     {"moment-layers", kMoment,
      "errors of functions of depth by the number of layers, 1 to 128: where each breaks",
      reproduce_moment_layers},

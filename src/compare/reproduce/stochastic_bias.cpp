@@ -207,27 +207,6 @@ std::vector<Image> draw_seeds(const Scene& scene, const View& view, const Estima
     return images;
 }
 
-// Is there bias in some pixels, of whatever sign? (m - C)^2 - s^2 / n is 0 on average in each pixel
-// without it; pixels are independent of one another, channels are not, so they are added first.
-double test_squares(const Moments& moments, const Image& truth)
-{
-    std::vector<double> excess;
-    double mean = 0, sum = 0;
-    for (std::size_t p = 0; p < truth.pixels.size(); ++p) {
-        double e = 0, variance = 0;
-        for (std::size_t c = 0; c < 3; ++c) {
-            const double off = double{moments.mean.pixels[p][c]} - double{truth.pixels[p][c]};
-            variance += moments.variance.pixels[p][c];
-            e += off * off - moments.variance.pixels[p][c] / static_cast<double>(moments.seeds);
-        }
-        if (std::sqrt(variance) > kRounding) excess.push_back(e);
-    }
-    const auto n = static_cast<double>(excess.size());
-    for (const double e : excess) mean += e / n;
-    for (const double e : excess) sum += (e - mean) * (e - mean);
-    return mean / std::sqrt(sum / (n - 1) / n);
-}
-
 void report_motor(Page& page, Counter& counter, const ReproduceJob& job)
 {
     const int seeds = job.quick ? 4 : 16;
@@ -252,7 +231,7 @@ void report_motor(Page& page, Counter& counter, const ReproduceJob& job)
             Found found;
             found.rms = rmse(moments, exact[i]) / kUnitsOfWhite;
             found.bias = bias(moments, exact[i]) / kUnitsOfWhite;
-            found.z_bias = test_squares(moments, exact[i]);
+            found.z_bias = bias_z(moments, exact[i]);
             report.add(estimation, samples, found);
             counter.add(samples * seeds);
         }
