@@ -62,6 +62,27 @@ TEST(CliReproduceContinuum, KnobTradesNoiseForBias)
     }
 }
 
+TEST(CliReproduceContinuum, StripsStandSideBySide)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "slab-strips");
+    ASSERT_EQ(json["tables"].size(), 2u);
+    for (const Json& table : json["tables"]) {
+        ASSERT_EQ(table["rows"].size(), 7u);
+        for (const Json& row : table["rows"]) {
+            EXPECT_EQ(row["rmse"] == 0, row["method"] == "exact") << row;
+        }
+    }
+    // Exactly as noisy: with the same masks they are the same pictures.
+    const Json &building = json["tables"][1]["rows"], &foliage = json["tables"][0]["rows"];
+    for (const Json* rows : {&foliage, &building}) {
+        EXPECT_NEAR((*rows)[0]["rmse"].get<double>(), (*rows)[1]["rmse"].get<double>(), 1e-3);
+    }
+    const std::string svg = text_of(tool.file("out/deep/slab-strips.foliage.svg"));
+    EXPECT_NE(svg.find(">k = 8, b = 128</text>"), std::string::npos);
+    EXPECT_NE(svg.find("data:image/png;base64,"), std::string::npos);
+}
+
 }  // namespace
 
 }  // namespace sheer::test

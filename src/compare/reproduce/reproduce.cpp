@@ -84,6 +84,8 @@ constexpr ReproduceEntry kEntries[] = {
     {"slab-knob", kContinuum,
      "error, noise and bias by the number of bits: from stochastic transparency to a k-buffer",
      reproduce_slab_knob},
+    {"slab-strips", kContinuum, "the talk's two strips: what the methods look like side by side",
+     reproduce_slab_strips},
     {"moment-layers", kMoment,
      "errors of functions of depth by the number of layers, 1 to 128: where each breaks",
      reproduce_moment_layers},
