@@ -83,6 +83,34 @@ TEST(CliReproduceContinuum, StripsStandSideBySide)
     EXPECT_NE(svg.find("data:image/png;base64,"), std::string::npos);
 }
 
+TEST(CliReproduceContinuum, SamplesHoldAsManySurfacesAsMasksSay)
+{
+    const Tool tool;
+    const Json json = reproduce(tool, "surfaces-in-samples");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 20u);
+    for (const Json& row : rows) {
+        EXPECT_LE(row["most"], row["S"]) << row;
+        EXPECT_EQ(row["exact"].is_null(), row["scene"] != "layers") << row;
+        if (row["scene"] == "layers") {
+            EXPECT_LT(std::abs(row["z"].get<double>()), kLargestZ) << row;
+        }
+    }
+    // Parts of a histogram are all there is.
+    std::map<std::string, double> sums;
+    const std::string csv = text_of(tool.file("out/deep/surfaces-in-samples.csv"));
+    std::istringstream lines(csv);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "scene,S,surfaces,part of pixels");
+    while (std::getline(lines, line)) {
+        const std::size_t second = line.find(',', line.find(',') + 1), last = line.rfind(',');
+        sums[line.substr(0, second)] += std::atof(line.c_str() + last + 1);
+    }
+    EXPECT_EQ(sums.size(), 20u);
+    for (const auto& [name, sum] : sums) EXPECT_NEAR(sum, 1, 1e-9) << name;
+}
+
 }  // namespace
 
 }  // namespace sheer::test

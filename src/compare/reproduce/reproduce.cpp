@@ -86,6 +86,8 @@ constexpr ReproduceEntry kEntries[] = {
      reproduce_slab_knob},
     {"slab-strips", kContinuum, "the talk's two strips: what the methods look like side by side",
      reproduce_slab_strips},
+    {"surfaces-in-samples", kContinuum, "how many surfaces a buffer of 4 to 64 samples holds",
+     reproduce_surfaces_in_samples},
     {"moment-layers", kMoment,
      "errors of functions of depth by the number of layers, 1 to 128: where each breaks",
      reproduce_moment_layers},
