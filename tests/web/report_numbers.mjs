@@ -1,0 +1,125 @@
+// The report's numbers: its table and its chart against what was measured.
+import assert from 'node:assert/strict';
+import {execFileSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+
+export const METHODS = 'blend,exact,stochastic:masks=naive,wboit,weighted-average';
+
+const column = (page, id) => page.$$eval(
+    '#results thead th', (heads, want) => heads.findIndex((h) => h.dataset.column === want), id);
+
+export async function cells(page, id) {
+  const index = await column(page, id);
+  return page.$$eval('#results tbody tr', (rows, i) => rows.map((row) => row.cells[i].textContent),
+                     index);
+}
+
+// The columns, each with what metrics.json has for it, in the digits of the page.
+export const COLUMNS = {
+  samples: [0, (row) => row.samples],
+  rmse: [3, (row) => row.rmse],
+  rmse_same_s: [3, (row) => row.rmse_same_s],
+  psnr: [2, (row) => row.psnr],
+  ssim: [4, (row) => row.ssim],
+  flip: [4, (row) => row.flip],
+  bias: [3, (row) => row.bias],
+  noise: [3, (row) => row.noise],
+  ratio_to_blend: [2, (row) => row.ratio_to_blend],
+  ms: [1, (row) => row.ms.total],
+  bytes_per_pixel: [0, (row) => row.bytes_per_pixel],
+  peak_memory: [1, (row) => row.peak_memory_bytes / 2 ** 20],
+};
+
+// compare's rows stand in the order of --samples, then of --methods.
+export function nameOf(index, metrics) {
+  const methods = METHODS.split(',');
+  return `${methods[index % methods.length]}, ${metrics.results[index].samples} samples`;
+}
+
+// The cells of the table and the points of the chart that are not what metrics.json says.
+export async function wrongNumbers(page, metrics) {
+  const wrong = [];
+  const names = await cells(page, 'name');
+  for (const [id, [digits, value]] of Object.entries(COLUMNS)) {
+    const shown = await cells(page, id);
+    metrics.results.forEach((row, index) => {
+      const name = nameOf(index, metrics);
+      const right = value(row) === null ? '–' : value(row).toFixed(digits);
+      if (shown[names.indexOf(name)] !== right) wrong.push(`${name}: ${id}`);
+    });
+  }
+  const axes = {x: await page.inputValue('#chart-x'), y: await page.inputValue('#chart-y')};
+  const points = await page.evaluate(() => plot.chart.data.datasets.flatMap((set) => set.data));
+  metrics.results.forEach((row, index) => {
+    const point = points.find(({label}) => label === nameOf(index, metrics));
+    for (const [axis, drawn] of [['x', point?.cost], ['y', point?.error]]) {
+      const right = COLUMNS[axes[axis]][1](row);
+      if (drawn !== right) wrong.push(`${nameOf(index, metrics)}: ${axes[axis]} in the chart`);
+    }
+  });
+  return wrong.sort();
+}
+
+export const numberTests = {
+  async 'has a row for each result'({page, metrics}) {
+    assert.equal((await cells(page, 'name')).length, metrics.results.length);
+    assert.match(await page.textContent('#shown'), new RegExp(`^${metrics.results.length} `));
+  },
+
+  async 'shows the numbers that were measured'({page, metrics, tool, folder}) {
+    assert.deepEqual(Object.keys(COLUMNS), await page.evaluate(() => columns.map((c) => c.id)));
+    assert.deepEqual(await wrongNumbers(page, metrics), []);
+    // By another way, where it is the same: the pictures in the folder, measured by `diff`.
+    const measured = (row, by) => JSON.parse(execFileSync(
+        tool, ['diff', join(folder, row.image), join(folder, by), '--json'], {encoding: 'utf8'}));
+    const rmse = await cells(page, 'rmse'), flip = await cells(page, 'flip');
+    const names = await cells(page, 'name');
+    metrics.results.forEach((row, index) => {
+      const at = names.indexOf(nameOf(index, metrics));
+      const again = measured(row, 'truth.exr');
+      assert.equal(flip[at], again.flip.toFixed(4));
+      if (row.seeds === 1) assert.equal(rmse[at], again.rmse.toFixed(3));
+    });
+  },
+
+  async 'sorts by a column, both ways, by mouse and by keyboard'({page, metrics}) {
+    const rising = metrics.results.map((row) => row.rmse).sort((a, b) => a - b)
+        .map((value) => value.toFixed(3));
+    await page.click('th[data-column=rmse] button');
+    assert.deepEqual(await cells(page, 'rmse'), rising);
+    assert.equal(await page.getAttribute('th[data-column=rmse]', 'aria-sort'), 'ascending');
+    await page.focus('th[data-column=rmse] button');
+    await page.keyboard.press('Enter');
+    assert.deepEqual(await cells(page, 'rmse'), rising.reverse());
+    assert.equal(await page.getAttribute('th[data-column=rmse]', 'aria-sort'), 'descending');
+    assert.equal(await page.getAttribute('th[data-column=psnr]', 'aria-sort'), 'none');
+  },
+
+  async 'filters by words'({page}) {
+    await page.fill('#filter', 'stoch 4');
+    assert.deepEqual(await cells(page, 'name'), ['stochastic:masks=naive, 4 samples']);
+    assert.equal(await page.textContent('#shown'), '1 of 10 results');
+    await page.fill('#filter', '');
+  },
+
+  async 'draws the chart and finds the front'({page, metrics}) {
+    await page.selectOption('#chart-x', 'bytes_per_pixel');
+    await page.selectOption('#chart-y', 'rmse');
+    // By definition: nothing is as good in both and better in one. Of equals one is enough.
+    const beats = (a, b) => a.rmse <= b.rmse && a.bytes_per_pixel <= b.bytes_per_pixel &&
+        (a.rmse < b.rmse || a.bytes_per_pixel < b.bytes_per_pixel);
+    const best = metrics.results.filter((b) => !metrics.results.some((a) => beats(a, b)));
+    const values = (rows) => [...new Set(rows.map((r) => `${r.rmse} ${r.bytes_per_pixel}`))].sort();
+    const marked = await page.$$eval('#results tr.front', (rows) => rows.map((r) => r.dataset.key));
+    assert.deepEqual(values(marked.map((key) => metrics.results[key])), values(best));
+    const points = await page.evaluate(() => plot.chart.data.datasets.map((s) => s.data.length));
+    assert.equal(points[0] + points[1], metrics.results.length);
+    assert.equal(points[1], marked.length);
+    const painted = await page.$eval('#chart', (canvas) => {
+      const {data} = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+      return data.some((value) => value !== 0);
+    });
+    assert.ok(painted);
+  },
+};
