@@ -19,8 +19,10 @@
 #include "cli/view_options.h"
 #include "compare/comparison.h"
 #include "compare/error_map.h"
+#include "compare/pixel_kinds.h"
 #include "compare/probes.h"
 #include "compare/report/report.h"
+#include "compare/sink_list.h"
 #include "compare/truth.h"
 #include "compare/work_shares.h"
 #include "image/png.h"
@@ -111,6 +113,7 @@ struct Result {
     Image truth;
     std::vector<Compared> all;
     std::vector<Probe> probes;
+    std::vector<std::vector<std::uint64_t>> kinds;  // pixels in each band of each scale
 };
 
 std::uint64_t picture_bytes(const View& view)
@@ -122,10 +125,11 @@ std::uint64_t picture_bytes(const View& view)
 // Pictures that are held besides those in the making: the truth, those that are kept for error
 // maps, and what measuring, drawing and encoding an error map take. In the report each is a PNG and
 // so is its error map, at most 3 bytes a pixel, in base64, twice: as data and as text. That is one
-// more of 16 bytes.
+// more of 16 bytes. What each pixel is like takes two.
 std::size_t pictures_besides(const CompareRequest& request)
 {
-    return 2 * (1 + request.methods.size() * request.samples.size()) + 4;
+    static_assert(PixelKinds::kBytesPerPixel <= 2 * sizeof(Float4));
+    return 2 * (1 + request.methods.size() * request.samples.size()) + 6;
 }
 
 Result compare_all(const Scene& scene, CompareRequest& request)
@@ -133,14 +137,17 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     ProgressBar bar("comparing");
     const std::uint64_t one = picture_bytes(request.given.view);
     Probes probes(request.given.view.width, request.given.view.height, kProbes);
+    PixelKinds kinds(request.given.view.width, request.given.view.height, request.samples.front());
+    SinkList sinks({&probes, &kinds});
     ComparisonRequest comparison{request.methods, request.seeds, pictures_besides(request) * one,
-                                 &probes};
+                                 &sinks, &kinds};
     const WorkShares shares = work_shares(request.given.view, comparison, request.samples);
     double done = 0, share = shares.truth;
     Options options = request.given.options;
     options.progress = [&](double part) { bar.update(done + part * share); };
     Result result{render_truth(scene, request.given.view, options, kTruthPasses,
                                comparison.reserved_memory + pictures_at_once(comparison) * one),
+                  {},
                   {},
                   {}};
     if (options.memory_limit != 0) release_free_memory();
@@ -154,6 +161,7 @@ Result compare_all(const Scene& scene, CompareRequest& request)
         comparison.sink = nullptr;  // the first samples are enough
     }
     result.probes = probes.results();
+    result.kinds = kinds.pixels();
     return result;
 }
 
@@ -206,6 +214,7 @@ void run_compare(CompareRequest request)
         {"scene", request.scene.source},
         {"truth", {{"image", "truth.exr"}, {"samples", truth_samples(request.given.view)}}},
         {"error_map_scale", scale},
+        {"failures", failures_json(result.kinds)},
         {"results", metrics_json(rows)}};
     write_text(request.folder + "/metrics.csv", metrics_csv(rows));
     write_text(request.folder + "/metrics.json", json_text(json));
@@ -218,7 +227,8 @@ void run_compare(CompareRequest request)
                              .truth_samples = truth_samples(request.given.view),
                              .pictures = std::move(pictures),
                              .rows = rows,
-                             .probes = result.probes}));
+                             .probes = result.probes,
+                             .kinds = result.kinds}));
     print(request.json ? json_text(json)
                        : metrics_table(rows) + "\n" + one_line(request.folder) +
                              ": report.html, metrics.json, metrics.csv, pictures, error maps "
@@ -258,6 +268,9 @@ constexpr const char* kMeaning =
     "  bias         the part of 'rmse same S' that more seeds would not average out\n"
     "  bias mean    the signed mean of that, for red, green and blue\n"
     "  noise        standard deviation over the seeds\n"
+    "  failures     in metrics.json and the report: 'rmse same S' of the pixels of so many layers, "
+    "of\n"
+    "               such opacity, of such gaps between layers\n"
     "  x blend      total time over that of 'blend'; 'sheer bench' measures times better\n"
     "Bias and noise of a random method are unknown (-, null) with one seed.\n";
 

@@ -83,6 +83,7 @@ std::string compare_html(CompareReport report)
                         {"error_map_scale", report.pictures.scale},
                         {"colors", colors},
                         {"probes", probes_json(report.probes)},
+                        {"failures", failures_json(report.kinds)},
                         {"results", results}});
 }
 

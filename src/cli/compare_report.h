@@ -29,6 +29,7 @@ struct CompareReport {
     ReportPictures pictures;
     const std::vector<MetricsRow>& rows;
     const std::vector<Probe>& probes;
+    const std::vector<std::vector<std::uint64_t>>& kinds;
 };
 
 std::string compare_html(CompareReport report);

@@ -29,6 +29,10 @@ Json row_json(const MetricsRow& row)
     json["bias_mean"] = s.bias_mean;
     json["noise"] = or_none(s.noise);
     json["ratio_to_blend"] = s.ratio_to_blend;
+    for (std::size_t i = 0; i < row.compared.failures.size(); ++i) {
+        Json& errors = json["failures"][kind_scales()[i].id] = Json::array();
+        for (const auto& error : row.compared.failures[i]) errors.push_back(or_none(error));
+    }
     json["image"] = row.stem + ".exr";
     json["error_map"] = row.stem + ".error.png";
     return json;
@@ -87,6 +91,20 @@ std::string metrics_table(const std::vector<MetricsRow>& rows)
     return table.text();
 }
 
+Json failures_json(const std::vector<std::vector<std::uint64_t>>& pixels)
+{
+    Json json = Json::array();
+    for (std::size_t i = 0; i < pixels.size(); ++i) {
+        const KindScale& scale = kind_scales()[i];
+        Json bands = Json::array();
+        for (std::size_t band = 0; band < scale.bands.size(); ++band) {
+            bands.push_back({{"name", scale.bands[band]}, {"pixels", pixels[i][band]}});
+        }
+        json.push_back({{"id", scale.id}, {"title", scale.title}, {"bands", bands}});
+    }
+    return json;
+}
+
 Json metrics_json(const std::vector<MetricsRow>& rows)
 {
     Json results = Json::array();
@@ -102,6 +120,7 @@ std::string metrics_csv(const std::vector<MetricsRow>& rows)
         // What has not the same keys for every method.
         json["parameters"] = row.compared.stats.parameters;
         json["ms"].erase("passes");
+        json.erase("failures");
         std::vector<std::string> names, cells;
         flatten(json, "", names, cells);
         if (text.empty()) text = csv_line(names);

@@ -15,6 +15,8 @@ struct MetricsRow {
 };
 
 std::string metrics_table(const std::vector<MetricsRow>& rows);
+// What the bands of row["failures"] are, and the pixels in each of them.
+Json failures_json(const std::vector<std::vector<std::uint64_t>>& pixels);
 Json metrics_json(const std::vector<MetricsRow>& rows);
 
 // A line of names, then a line for each row; numbers with all their digits.

@@ -139,14 +139,20 @@ std::vector<Compared> compare_methods(const Scene& scene, const View& view, cons
         const Place& place = plan.methods[i];
         TakeFrame& picture = made.frames[place.picture];
         const bool random = plan.takes[place.picture].method.traits().random;
-        Compared compared{request.methods[i], {}, picture.stats, 1, {}};
+        Compared compared{request.methods[i], {}, picture.stats, 1, {}, {}};
         if (place.seeds) {
             TakeFrame& all = made.frames[*place.seeds];
             const Moments moments{std::move(all.image), std::move(all.variance), request.seeds};
             compared.seeds = request.seeds;
             compared.scores = score_seeds(moments, truth, exact.image);
+            if (request.kinds != nullptr) {
+                compared.failures = band_errors(*request.kinds, moments, exact.image);
+            }
         } else {
             compared.scores = score_picture(picture.image, random, truth, exact.image);
+            if (request.kinds != nullptr) {
+                compared.failures = band_errors(*request.kinds, picture.image, exact.image);
+            }
         }
         if (!std::isfinite(compared.scores.rmse)) {
             throw Error(Fault::work, request.methods[i] + ": its picture is not finite");

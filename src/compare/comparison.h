@@ -9,6 +9,8 @@
 #include <sheer/render.h>
 #include <sheer/scene.h>
 
+#include "compare/pixel_kinds.h"
+
 namespace sheer {
 
 class FragmentSink;
@@ -35,6 +37,8 @@ struct Compared {
     Stats stats;
     int seeds = 1;
     Scores scores;
+    // Parts of rmse_same_s; empty if not asked for.
+    BandErrors failures;
 };
 
 struct ComparisonRequest {
@@ -42,6 +46,7 @@ struct ComparisonRequest {
     int seeds = 8;                      // of random methods: options.seed and those after it
     std::uint64_t reserved_memory = 0;  // of options.memory_limit: what the caller needs besides
     FragmentSink* sink = nullptr;       // takes the transparent fragments too
+    const PixelKinds* kinds = nullptr;  // asks for failures; known by then, be it as the sink
 };
 
 // What compare_methods makes at once, in pictures of the view's size: the most of it.

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -64,6 +65,21 @@ TEST(CliCompare, MeasuresAndKeepsThePictures)
         EXPECT_EQ(stochastic["seeds"], 6);
         EXPECT_EQ(stochastic["parameters"]["masks"], "naive");
         EXPECT_GT(stochastic["noise"], 0.0);
+    }
+    // The errors of bands are parts of the whole, for random methods too: pixels outside of all are
+    // right.
+    const Json& bands = metrics["failures"][0]["bands"];
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Json& row = metrics["results"][i];  // with the samples by which pixels are divided
+        double squares = 0;
+        for (std::size_t band = 0; band < bands.size(); ++band) {
+            const Json& error = row["failures"]["layers"][band];
+            ASSERT_EQ(error.is_null(), bands[band]["pixels"] == 0) << band;
+            if (error.is_null()) continue;
+            squares += bands[band]["pixels"].get<double>() * std::pow(error.get<double>(), 2);
+        }
+        const double all = row["rmse_same_s"];
+        EXPECT_NEAR(squares / (64 * 48), all * all, 1e-9 * all * all) << row["method"];
     }
     // A table of what all rows have, and a line for each.
     std::ifstream csv(tool.file("out/metrics.csv"));

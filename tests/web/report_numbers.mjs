@@ -103,6 +103,29 @@ export const numberTests = {
     await page.fill('#filter', '');
   },
 
+  // Two layers in every pixel, of opacity 0.45, at depths 1 and 2: one band of each scale has all.
+  async 'shows where the errors are'({page, metrics}) {
+    const names = await page.$$eval('#kind option', (all) => all.map((option) => option.value));
+    assert.deepEqual(names, metrics.failures.map((scale) => scale.id));
+    for (const scale of metrics.failures) {
+      await page.selectOption('#kind', scale.id);
+      const heads = await page.$$eval('#failures thead th', (all) => all.map((h) => h.innerText));
+      const right = {layers: '2', opacity: '0.35 to 0.55', gap: 'above 10 %'}[scale.id];
+      const all = scale.bands.findIndex((band) => band.name === right);
+      assert.equal(heads[1 + all].replace(/\s+/g, ' '), `${right} 100.0 %`);
+      const rows = await page.$$eval('#failures tbody tr', (trs) => trs.map(
+          (tr) => [tr.dataset.key, [...tr.cells].slice(1).map((cell) => cell.textContent)]));
+      assert.equal(rows.length, metrics.results.length);
+      for (const [key, shown] of rows) {
+        const row = metrics.results[key];
+        assert.deepEqual(shown, scale.bands.map((_, band) => (band === all ?
+            row.rmse_same_s.toFixed(3) : '–')));
+      }
+    }
+    const labels = await page.evaluate(() => failures.chart.data.datasets.map((set) => set.label));
+    assert.deepEqual(labels, ['A: blend, 1 samples']);
+  },
+
   async 'draws the chart and finds the front'({page, metrics}) {
     await page.selectOption('#chart-x', 'bytes_per_pixel');
     await page.selectOption('#chart-y', 'rmse');

@@ -39,6 +39,7 @@ function pick(side, key) {
   viewer[side] = key;
   drawStage();
   markRows();
+  drawFailureLines();
 }
 
 function stepZoom(step) {
@@ -115,5 +116,6 @@ startPlot(pick);
 startViewer();
 startTable(pick);
 startLayers();
+startFailures();
 drawStage();
 markRows();
