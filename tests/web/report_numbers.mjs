@@ -103,6 +103,38 @@ export const numberTests = {
     await page.fill('#filter', '');
   },
 
+  // By definition: the least error of the method's rows that cost no more.
+  async 'finds the best of each method within a budget'({page, metrics}) {
+    for (const [cost, error] of [['bytes_per_pixel', 'rmse'], ['ratio_to_blend', 'rmse_same_s']]) {
+      await page.selectOption('#budget-cost', cost);
+      await page.selectOption('#budget-error', error);
+      const table = await page.$$eval('#budgets tr', (trs) => trs.map((tr) => [...tr.cells].map(
+          (cell) => [cell.textContent, cell.classList.contains('best')])));
+      const budgets = table[0].slice(1).map(([text]) => Number(text));
+      const costs = metrics.results.map((row) => row[cost]);
+      assert.ok(budgets[0] >= Math.min(...costs) && budgets.at(-1) >= Math.max(...costs));
+      assert.ok(budgets.slice(1).every((budget, i) => budget > budgets[i]));
+      assert.deepEqual(table.slice(1).map(([[method]]) => method).sort(),
+                       [...new Set(metrics.results.map((row) => row.method))].sort());
+      const least = (rows, budget) => Math.min(...rows.filter((row) => row[cost] <= budget)
+          .map((row) => row[error]));
+      for (const [[method], ...cells] of table.slice(1)) {
+        cells.forEach(([text, best], i) => {
+          const own = least(metrics.results.filter((row) => row.method === method), budgets[i]);
+          assert.equal(text, Number.isFinite(own) ? own.toFixed(3) : '–',
+                       `${method} ${budgets[i]}`);
+          assert.equal(best, own === least(metrics.results, budgets[i]) && own < Infinity);
+        });
+      }
+      const lines = await page.evaluate(() => budgets.chart.data.datasets.map((set) => set.label));
+      assert.deepEqual(lines, table.slice(1).map(([[method]]) => method));
+      // In words, the first of the winners: within the least budget.
+      const words = await page.textContent('#budget-best');
+      assert.match(words, /^◆ Best for /);
+      assert.ok(words.includes(`${table[0][1][0]}: `));
+    }
+  },
+
   // Two layers in every pixel, of opacity 0.45, at depths 1 and 2: one band of each scale has all.
   async 'shows where the errors are'({page, metrics}) {
     const names = await page.$$eval('#kind option', (all) => all.map((option) => option.value));

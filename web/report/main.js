@@ -113,6 +113,7 @@ viewer.y = Math.floor(data.height / 2);
 // Blend, or else the first, against the truth.
 viewer.a = (data.results.find((row) => row.method === 'blend') || data.results[0]).key;
 startPlot(pick);
+startBudgets();
 startViewer();
 startTable(pick);
 startLayers();
