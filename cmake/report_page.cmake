@@ -3,7 +3,7 @@
 #   cmake -D WEB=FOLDER -D TO=FILE.cpp -P report_page.cmake
 set(modules ${WEB}/node_modules)
 set(scripts "")
-foreach(name data table plot budgets viewer layers failures main)
+foreach(name data table plot budgets viewer curves layers failures main)
   file(READ ${WEB}/report/${name}.js text)
   string(APPEND scripts "${text}")
 endforeach()

@@ -20,11 +20,13 @@
 #include "compare/comparison.h"
 #include "compare/error_map.h"
 #include "compare/pixel_kinds.h"
+#include "compare/probe_curves.h"
 #include "compare/probes.h"
 #include "compare/report/report.h"
 #include "compare/sink_list.h"
 #include "compare/truth.h"
 #include "compare/work_shares.h"
+#include "cpu/frame.h"
 #include "image/png.h"
 #include "image/write_image.h"
 #include "methods/method.h"
@@ -114,6 +116,7 @@ struct Result {
     std::vector<Compared> all;
     std::vector<Probe> probes;
     std::vector<std::vector<std::uint64_t>> kinds;  // pixels in each band of each scale
+    ProbeCurves curves;
 };
 
 std::uint64_t picture_bytes(const View& view)
@@ -138,7 +141,8 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     const std::uint64_t one = picture_bytes(request.given.view);
     Probes probes(request.given.view.width, request.given.view.height, kProbes);
     PixelKinds kinds(request.given.view.width, request.given.view.height, request.samples.front());
-    SinkList sinks({&probes, &kinds});
+    ProbeFragments fragments(probes.results());
+    SinkList sinks({&probes, &kinds, &fragments});
     ComparisonRequest comparison{request.methods, request.seeds, pictures_besides(request) * one,
                                  &sinks, &kinds};
     const WorkShares shares = work_shares(request.given.view, comparison, request.samples);
@@ -147,6 +151,7 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     options.progress = [&](double part) { bar.update(done + part * share); };
     Result result{render_truth(scene, request.given.view, options, kTruthPasses,
                                comparison.reserved_memory + pictures_at_once(comparison) * one),
+                  {},
                   {},
                   {},
                   {}};
@@ -162,6 +167,10 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     }
     result.probes = probes.results();
     result.kinds = kinds.pixels();
+    const View& view = request.given.view;
+    const SampleSet samples = make_sample_set(request.samples.front(), view.positions);
+    result.curves = probe_curves(fragments, request.methods,
+                                 {samples, targets_of(options.simd), frame_key(options.seed, 0)});
     return result;
 }
 
@@ -228,7 +237,8 @@ void run_compare(CompareRequest request)
                              .pictures = std::move(pictures),
                              .rows = rows,
                              .probes = result.probes,
-                             .kinds = result.kinds}));
+                             .kinds = result.kinds,
+                             .curves = result.curves}));
     print(request.json ? json_text(json)
                        : metrics_table(rows) + "\n" + one_line(request.folder) +
                              ": report.html, metrics.json, metrics.csv, pictures, error maps "

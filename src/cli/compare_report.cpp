@@ -2,6 +2,7 @@
 #include "cli/compare_report.h"
 
 #include <charconv>
+#include <cmath>
 #include <utility>
 
 #include "cli/command_words.h"
@@ -56,6 +57,23 @@ Json probes_json(const std::vector<Probe>& probes)
     return json;
 }
 
+// {methods: [...], pixels: [[[distance, ...], [thousandths, ...] of each method], ...]}
+Json curves_json(const ProbeCurves& curves)
+{
+    Json pixels = Json::array();
+    for (const ProbeCurves::Pixel& pixel : curves.pixels) {
+        Json lists = Json::array({Json::array()});
+        for (const double distance : pixel.distances) lists[0].push_back(short_number(distance));
+        for (const std::vector<double>& values : pixel.values) {
+            Json thousandths = Json::array();
+            for (const double value : values) thousandths.push_back(std::lround(1000 * value));
+            lists.push_back(thousandths);
+        }
+        pixels.push_back(lists);
+    }
+    return {{"methods", curves.methods}, {"pixels", pixels}};
+}
+
 }  // namespace
 
 std::string compare_html(CompareReport report)
@@ -84,6 +102,7 @@ std::string compare_html(CompareReport report)
                         {"colors", colors},
                         {"probes", probes_json(report.probes)},
                         {"failures", failures_json(report.kinds)},
+                        {"curves", curves_json(report.curves)},
                         {"results", results}});
 }
 

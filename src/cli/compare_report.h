@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/metrics_report.h"
+#include "compare/probe_curves.h"
 #include "compare/probes.h"
 
 namespace sheer {
@@ -30,6 +31,7 @@ struct CompareReport {
     const std::vector<MetricsRow>& rows;
     const std::vector<Probe>& probes;
     const std::vector<std::vector<std::uint64_t>>& kinds;
+    const ProbeCurves& curves;
 };
 
 std::string compare_html(CompareReport report);

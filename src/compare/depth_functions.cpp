@@ -9,9 +9,7 @@ namespace sheer {
 
 namespace {
 
-constexpr int kDistances = 480;           // about two for each point of a chart across
-constexpr std::size_t kMostSteps = 1000;  // of which both sides are asked for
-constexpr double kMargin = 0.05;          // before and behind, of the distance between
+constexpr double kMargin = 0.05;  // before and behind, of the distance between
 
 StoreVerbs verbs_of_method(const ChosenMethod& method, const DepthFunctionSetting& setting)
 {
@@ -71,7 +69,8 @@ double distance_of(float depth, const EyeSpace& eye)
     return eye.orthographic ? z : -1 / z;
 }
 
-std::vector<float> depths_to_ask(std::span<const TransmittanceStep> steps, const EyeSpace& eye)
+std::vector<float> depths_to_ask(std::span<const TransmittanceStep> steps, const EyeSpace& eye,
+                                 const DepthsToAsk& asked)
 {
     if (steps.empty()) return {};
     const double first = distance_of(steps.front().depth, eye);
@@ -81,12 +80,12 @@ std::vector<float> depths_to_ask(std::span<const TransmittanceStep> steps, const
     // In perspective nothing is behind the eye.
     const double from = eye.orthographic ? first - margin : std::max(first - margin, 0.5 * first);
     std::vector<float> depths;
-    for (int i = 0; i <= kDistances; ++i) {
-        depths.push_back(depth_of(from + (last + margin - from) * i / kDistances, eye));
+    for (int i = 0; i <= asked.distances; ++i) {
+        depths.push_back(depth_of(from + (last + margin - from) * i / asked.distances, eye));
     }
     constexpr float kFar = std::numeric_limits<float>::infinity();
     for (const TransmittanceStep& step :
-         steps.first(steps.size() > kMostSteps ? 0 : steps.size())) {
+         steps.first(steps.size() > asked.most_steps ? 0 : steps.size())) {
         depths.push_back(std::nextafter(step.depth, -kFar));
         depths.push_back(std::nextafter(step.depth, kFar));
     }

@@ -29,9 +29,15 @@ std::vector<double> depth_function(const ChosenMethod& method, const PixelFragme
                                    std::span<const float> depths,
                                    const DepthFunctionSetting& setting);
 
+struct DepthsToAsk {
+    int distances = 480;            // about two for each point of a chart across
+    std::size_t most_steps = 1000;  // of which both sides are asked for
+};
+
 // Where a pixel's functions are worth knowing: at equal distances from before its nearest fragment
 // to behind its farthest, and on both sides of every step, if they are not too many. Sorted.
-std::vector<float> depths_to_ask(std::span<const TransmittanceStep> steps, const EyeSpace& eye);
+std::vector<float> depths_to_ask(std::span<const TransmittanceStep> steps, const EyeSpace& eye,
+                                 const DepthsToAsk& asked = {});
 
 // The distance from the eye, along the view.
 double distance_of(float depth, const EyeSpace& eye);

@@ -4,7 +4,7 @@ import {execFileSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 
-export const METHODS = 'blend,exact,stochastic:masks=naive,wboit,weighted-average';
+export const METHODS = 'blend,exact,stochastic:masks=naive,wboit,weighted-average,adaptive';
 
 const column = (page, id) => page.$$eval(
     '#results thead th', (heads, want) => heads.findIndex((h) => h.dataset.column === want), id);
@@ -99,7 +99,7 @@ export const numberTests = {
   async 'filters by words'({page}) {
     await page.fill('#filter', 'stoch 4');
     assert.deepEqual(await cells(page, 'name'), ['stochastic:masks=naive, 4 samples']);
-    assert.equal(await page.textContent('#shown'), '1 of 10 results');
+    assert.equal(await page.textContent('#shown'), '1 of 12 results');
     await page.fill('#filter', '');
   },
 

@@ -91,6 +91,24 @@ export const viewerTests = {
     assert.deepEqual(steps, [1, 0.55, 0.3025, 0.3025]);
   },
 
+  // Two layers are not too many for the method: its function is the exact one, at all depths.
+  async 'shows what methods take transmittance for'({page}) {
+    const drawn = () => page.evaluate(() => layers.chart.data.datasets.map(
+        ({label, data}) => [label, data.map((p) => [p.x, p.y])]));
+    const [[exact], [method, points]] = await drawn();
+    assert.equal(exact, 'exact');
+    assert.equal(method, 'adaptive');
+    const right = (x) => (x < 1 ? 1 : x < 2 ? 0.55 : 0.3025);
+    const away = points.filter(([x]) => Math.abs(x - 1) > 1e-4 && Math.abs(x - 2) > 1e-4);
+    assert.ok(away.length > 50 && away.some(([x]) => x < 1) && away.some(([x]) => x > 2));
+    for (const [x, y] of away) assert.ok(Math.abs(y - right(x)) <= 0.0006, `${y} at ${x}`);
+    await page.click('#curve-methods input[value=adaptive]');
+    assert.equal((await drawn()).length, 1);
+    await page.focus('#curve-methods input[value=adaptive]');
+    await page.keyboard.press(' ');
+    assert.equal((await drawn()).length, 2);
+  },
+
   async 'flips between two pictures'({page}) {
     await page.click('#mode input[value=flicker]');
     const shown = () => page.$eval('#stage img:not([hidden])', (image) => image.dataset.side);

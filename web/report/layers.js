@@ -4,9 +4,11 @@
 
 const layers = {chart: null};
 
+// Its number.
 function nearestProbe(x, y) {
   const distance = ([px, py]) => (px - x) ** 2 + (py - y) ** 2;
-  return data.probes.reduce((a, b) => (distance(b) < distance(a) ? b : a));
+  return data.probes.reduce(
+      (best, probe, i) => (distance(probe) < distance(data.probes[best]) ? i : best), 0);
 }
 
 const stepOf = ([depth, behind, opacity, coverage, ...color]) =>
@@ -22,7 +24,8 @@ function layerRow(step, index) {
 
 function drawLayers() {
   if (data.probes.length === 0) return;
-  const [x, y, list] = nearestProbe(viewer.x, viewer.y);
+  const probe = nearestProbe(viewer.x, viewer.y);
+  const [x, y, list] = data.probes[probe];
   const steps = list.map(stepOf);
   byId('probe-title').textContent = steps.length === 0 ?
       `Pixel ${x}, ${y}, the nearest of a grid: nothing transparent.` :
@@ -42,17 +45,18 @@ function drawLayers() {
   layers.chart = new Chart(byId('probe'), {
     type: 'scatter',
     data: {datasets: [{
-      data: [start, ...steps.map(point), end], showLine: true, stepped: 'before',
+      label: 'exact', data: [start, ...steps.map(point), end], showLine: true, stepped: 'before',
       borderColor: cssColor('--accent'), borderWidth: 1.5,
       pointBackgroundColor: ['transparent', ...steps.map((s) => s.color), 'transparent'],
       pointBorderColor: cssColor('--text'), pointRadius: [0, ...steps.map(() => 4), 0],
-    }]},
+    }, ...curveDatasets(probe)]},
     options: {
       animation: false,
       maintainAspectRatio: false,
       scales: {x: {...axes.x, ...bounds.x}, y: {...axes.y, ...bounds.y}},
       plugins: {
-        legend: {display: false},
+        legend: {display: data.curves.methods.length > 0,
+                 labels: {color: cssColor('--text'), usePointStyle: true, pointStyle: 'line'}},
         tooltip: {filter: ({raw}) => Boolean(raw.step),
                   callbacks: {label: ({raw}) => `depth ${raw.step.depth}, opacity ` +
                       `${raw.step.opacity}, behind it ${raw.step.behind}`}},
@@ -66,5 +70,6 @@ function startLayers() {
   byId('layers').tHead.append(
       make('tr', {}, ...heads.map((head) => make('th', {scope: 'col'}, head))));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawLayers);
+  startCurves(drawLayers);
   drawLayers();
 }
