@@ -1,16 +1,19 @@
 // sheer reproduce: the papers' tables and figures.
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include <sheer/error.h>
 
+#include "cli/command_words.h"
 #include "cli/commands.h"
 #include "cli/folder.h"
 #include "cli/help_text.h"
 #include "cli/output.h"
 #include "cli/values.h"
 #include "cli/view_options.h"
+#include "compare/reproduce/all_page.h"
 #include "compare/reproduce/reproduce.h"
 #include "support/progress.h"
 #include "support/whole_file.h"
@@ -22,6 +25,7 @@ namespace {
 struct ReproduceRequest {
     std::vector<std::string> names;
     ReproduceJob job;
+    std::string command;  // as it was given
 };
 
 std::string list_text()
@@ -55,6 +59,10 @@ void run_reproduce(ReproduceRequest request)
     const auto entries = chosen_entries(request.names);
     if (request.job.folder.empty()) throw Error(Fault::input, "--output is required");
     make_folder(request.job.folder);
+    const std::string all = request.job.folder + "/index.html";
+    check_writable(all);
+    std::vector<PageContent> pages;
+    request.job.done = [&pages](const PageContent& page) { pages.push_back(page); };
     for (const ReproduceEntry* entry : entries) {
         for (const char* suffix : {".md", ".json"}) {
             check_writable(request.job.folder + "/" + entry->name + suffix);
@@ -68,6 +76,10 @@ void run_reproduce(ReproduceRequest request)
         }
         print(one_line(request.job.folder + "/" + entry->name) + ".md\n");
     }
+    const std::string html =
+        all_page_html({pages, "sheer " SHEER_VERSION, request.command, request.job.quick});
+    write_whole_file(all, std::as_bytes(std::span(html)));
+    print(one_line(all) + "\n");
 }
 
 }  // namespace
@@ -92,12 +104,16 @@ void add_reproduce_command(CLI::App& tool)
                    "Smaller pictures and fewer trials: seconds instead of minutes")
         ->disable_flag_override();
     command->footer(
-        "For each name DIR gets NAME.md to read, NAME.json with all digits, and "
-        "pictures.\n\nTables and figures:\n" +
+        "For each name DIR gets NAME.md to read, NAME.json with all digits, and pictures; "
+        "index.html\nis all of them on one page that needs no other file, with what agrees with "
+        "the paper.\n\nTables and figures:\n" +
         list_text() + "\n" +
         examples_help({"sheer reproduce list", "sheer reproduce stochastic-examples -o out",
                        "sheer reproduce all -o out --quick"}));
-    command->callback([request] { run_reproduce(*request); });
+    command->callback([request, command] {
+        request->command = "sheer reproduce " + shell_line(given_words(*command, {}));
+        run_reproduce(*request);
+    });
 }
 
 }  // namespace sheer

@@ -17,7 +17,7 @@ inline nlohmann::json reproduce(const Tool& tool, const std::string& name)
     const Outcome outcome = tool.run({"reproduce", name, "--quick", "-o", "out/deep"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
-    EXPECT_EQ(outcome.out, "out/deep/" + name + ".md\n");
+    EXPECT_EQ(outcome.out, "out/deep/" + name + ".md\nout/deep/index.html\n");
     EXPECT_TRUE(text_of(tool.file("out/deep/" + name + ".md")).starts_with("# " + name + "\n"));
     const Json json = Json::parse(text_of(tool.file("out/deep/" + name + ".json")));
     EXPECT_EQ(json["name"], name);

@@ -57,9 +57,14 @@ std::string report_html(const nlohmann::ordered_json& data)
     return text;
 }
 
+std::string data_address(std::string_view kind, std::span<const std::byte> bytes)
+{
+    return "data:" + std::string(kind) + ";base64," + base64(bytes);
+}
+
 std::string png_address(std::span<const std::byte> png)
 {
-    return "data:image/png;base64," + base64(png);
+    return data_address("image/png", png);
 }
 
 }  // namespace sheer

@@ -16,7 +16,8 @@ std::string_view report_page();
 // The page with them. What the data must hold, web/report/data.js says by using it.
 std::string report_html(const nlohmann::ordered_json& data);
 
-// "data:image/png;base64,..."
+// "data:image/png;base64,...", or of another kind of file.
+std::string data_address(std::string_view kind, std::span<const std::byte> bytes);
 std::string png_address(std::span<const std::byte> png);
 
 }  // namespace sheer

@@ -107,40 +107,76 @@ std::string Table::csv() const
     return text;
 }
 
-Page::Page(const ReproduceEntry& entry, const ReproduceJob& job)
-    : folder_(job.folder), name_(entry.name)
+Table claims_table(const Claims& claims)
 {
-    text_ = "# " + name_ + "\n\n" + entry.paper + ".\n\n" + entry.shows + "\n";
-    json_ = {{"name", entry.name}, {"paper", entry.paper},    {"shows", entry.shows},
-             {"quick", job.quick}, {"tables", Json::array()}, {"pictures", Json::array()}};
+    Table table{"Beside the paper",
+                {"number", "paper", "ours", "difference", "band", "agrees", "if not, why"},
+                {}};
+    for (const Claim& claim : claims.all) {
+        // As many digits as tell ours from the paper's, one more than printed.
+        const std::size_t point = claim.paper.find('.');
+        const int digits =
+            point == std::string::npos ? 2 : static_cast<int>(claim.paper.size() - point);
+        table.rows.push_back({words(claim.what), printed(claim.paper), number(claim.ours, digits),
+                              signed_number(claim.difference(), digits), number(claim.band, digits),
+                              words(claim.agrees() ? "yes" : "no"),
+                              words(claim.agrees() ? "" : claim.otherwise)});
+    }
+    return table;
+}
+
+Page::Page(const ReproduceEntry& entry, const ReproduceJob& job)
+    : content_{entry.name, entry.paper, entry.shows, job.folder, {}}, done_(job.done)
+{
+    text_ = "# " + content_.name + "\n\n" + entry.paper + ".\n\n" + entry.shows + "\n";
+    json_ = {{"name", entry.name},     {"paper", entry.paper},    {"shows", entry.shows},
+             {"quick", job.quick},     {"tables", Json::array()}, {"pictures", Json::array()},
+             {"claims", Json::array()}};
     if (job.quick) say("Made in a hurry (--quick): smaller pictures, fewer trials.");
 }
 
 void Page::say(const std::string& paragraph)
 {
+    content_.blocks.emplace_back(paragraph);
     text_ += "\n" + paragraph + "\n";
 }
 
 void Page::show(const std::string& file, const std::string& caption)
 {
+    content_.blocks.emplace_back(Picture{file, caption});
     text_ += "\n![" + caption + "](" + file + ")\n\n" + caption + "\n";
     json_["pictures"].push_back({{"file", file}, {"caption", caption}});
 }
 
 void Page::add(const Table& table)
 {
+    content_.blocks.emplace_back(table);
     text_ += markdown(table);
     json_["tables"].push_back(table_json(table));
 }
 
+void Page::compare(const Claims& claims)
+{
+    content_.blocks.emplace_back(claims);
+    text_ += markdown(claims_table(claims)) + "\nBand: " + claims.band + "\n";
+    for (const Claim& claim : claims.all) {
+        json_["claims"].push_back({{"what", claim.what},
+                                   {"paper", std::stod(claim.paper)},
+                                   {"ours", claim.ours},
+                                   {"band", claim.band},
+                                   {"agrees", claim.agrees()},
+                                   {"otherwise", claim.otherwise}});
+    }
+}
+
 std::string Page::file(const std::string& suffix) const
 {
-    return name_ + suffix;
+    return content_.name + suffix;
 }
 
 std::string Page::path(const std::string& suffix) const
 {
-    return folder_ + "/" + file(suffix);
+    return content_.folder + "/" + file(suffix);
 }
 
 void Page::write_text(const std::string& suffix, const std::string& text) const
@@ -152,6 +188,7 @@ void Page::write() const
 {
     write_text(".md", text_);
     write_text(".json", json_.dump(2) + "\n");
+    if (done_) done_(content_);
 }
 
 }  // namespace sheer

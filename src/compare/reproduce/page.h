@@ -2,10 +2,12 @@
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "compare/claim.h"
 #include "compare/reproduce/reproduce.h"
 
 namespace sheer {
@@ -32,6 +34,19 @@ struct Table {
     std::string csv() const;  // numbers with all their digits
 };
 
+struct Picture {
+    std::string file, caption;
+};
+
+// All of a page in its order; a string is a paragraph.
+struct PageContent {
+    std::string name, paper, shows, folder;
+    std::vector<std::variant<std::string, Table, Picture, Claims>> blocks;
+};
+
+// As NAME.md and the page of all show them.
+Table claims_table(const Claims& claims);
+
 class Page {
 public:
     Page(const ReproduceEntry& entry, const ReproduceJob& job);
@@ -39,16 +54,19 @@ public:
     void say(const std::string& paragraph);
     void show(const std::string& file, const std::string& caption);  // a picture in the folder
     void add(const Table& table);
+    void compare(const Claims& claims);
 
     // Where that file of this entry lies: FOLDER/NAME.suffix.
     std::string path(const std::string& suffix) const;
     std::string file(const std::string& suffix) const;  // NAME.suffix
 
     void write_text(const std::string& suffix, const std::string& text) const;
-    void write() const;  // NAME.md and NAME.json
+    void write() const;  // NAME.md and NAME.json; tells job.done
 
 private:
-    std::string folder_, name_, text_;
+    PageContent content_;
+    std::function<void(const PageContent&)> done_;
+    std::string text_;
     Json json_;
 };
 

@@ -9,11 +9,15 @@
 
 namespace sheer {
 
+struct PageContent;
+
 struct ReproduceJob {
     std::string folder;                    // for results; exists
     bool quick = false;                    // smaller pictures, fewer trials: to see that it works
     Options options;                       // threads and simd count
     std::function<void(double)> progress;  // with the part done, in [0, 1]
+    // Gets what an entry has written; may be empty.
+    std::function<void(const PageContent&)> done = {};
 };
 
 // Writes NAME.md, the tables as one reads them, NAME.json, the same with all digits, and what

@@ -21,15 +21,19 @@ struct Part {
     const char* parameters;
     const char* order;
     const char* paper;
+    const char *least, *most;  // of that
 };
 
 constexpr Part kParts[] = {
-    {"a", "neither compaction nor sorting", ":compaction=off:sort=off", "near-to-far", "0 to 8"},
-    {"b", "compaction", ":sort=off", "near-to-far", "4"},
-    {"c", "compaction", ":sort=off", "far-to-near", "0 to 8"},
-    {"d", "compaction and sorting", "", "far-to-near", "4"},
-    {"", "compaction and sorting", "", "near-to-far", "4"},
+    {"a", "neither compaction nor sorting", ":compaction=off:sort=off", "near-to-far", "0 to 8",
+     "0", "8"},
+    {"b", "compaction", ":sort=off", "near-to-far", "4", "4", "4"},
+    {"c", "compaction", ":sort=off", "far-to-near", "0 to 8", "0", "8"},
+    {"d", "compaction and sorting", "", "far-to-near", "4", "4", "4"},
+    {"", "compaction and sorting", "", "near-to-far", "4", "4", "4"},
 };
+
+constexpr const char* kTooFew = "too few pixels to meet what is possible but rare";
 
 // Green in front of nothing else: its samples, pixel by pixel.
 struct Counts {
@@ -72,13 +76,18 @@ void reproduce_stratified_figure_5(const ReproduceEntry& entry, const ReproduceJ
     Table table{"Samples of the farther surface",
                 {"part", "with", "drawn", "paper", "least", "most", "mean", "deviation"},
                 {}};
+    Claims claims{"none: these are whole numbers, over all pixels", {}};
     for (const Part& part : kParts) {
         const Counts counts = count_far_samples(part, job);
         table.rows.push_back({words(part.letter), words(part.title), words(part.order),
                               words(part.paper), whole(counts.least), whole(counts.most),
                               number(counts.mean, 4), number(counts.deviation, 4)});
+        const std::string with = std::string(part.title) + ", " + part.order;
+        claims.all.push_back({with + ": least", part.least, double(counts.least), 0, kTooFew});
+        claims.all.push_back({with + ": most", part.most, double(counts.most), 0, kTooFew});
     }
     page.add(table);
+    page.compare(claims);
     page.say(
         "Two surfaces of opacity 0.5 that fill the picture, 16 samples at the pixel's centre; "
         "4 of them are the farther one's share.");
