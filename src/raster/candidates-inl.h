@@ -109,7 +109,9 @@ HWY_INLINE void add_candidates(const EdgeBatch& b, std::size_t k, CandidateList&
     if (width <= kWidestSmallRegion && count <= kLargestSmallRegion) {
         const whole first(b.y0[k] * kTileSize + b.x0[k]);
         const std::uint32_t* offset = kSmallRegions.offset[width - 1];
-        for (int i = 0; i < kLargestSmallRegion; i += Block::kCount) {
+        // Of few vectors rather too many than a number of them that is guessed wrong.
+        const int end = Block::kCount < 16 ? count : kLargestSmallRegion;
+        for (int i = 0; i < end; i += Block::kCount) {
             (first + whole::load(offset + i)).store(pixel + i);
         }
     } else {
