@@ -58,9 +58,10 @@ struct BlendTile : SampleStore<S, BlendMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
-            return Text::blend_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]));
-        });
+        this->update(
+            f, [](const StreamColumns& c, std::size_t i, auto store, auto covered) HWY_ATTR {
+                return Text::blend_insert(store, covered, color_of<Text>(c, i), real(c.opacity[i]));
+            });
     }
 };
 

@@ -74,11 +74,12 @@ struct PhenomenologicalTile : SampleStore<S, PhenomenologicalMethod<S>> {
             return PhenomenologicalText<WeightBlock>::phenomenological_weight(buffer_depth(eye, z),
                                                                               a);
         });
-        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
-            return Text::phenomenological_insert(store, covered, color_of<Text>(f, i),
-                                                 real(f.opacity[i]), through(f, i),
-                                                 real(weights[i]));
-        });
+        this->update(f,
+                     [&](const StreamColumns&, std::size_t i, auto store, auto covered) HWY_ATTR {
+                         return Text::phenomenological_insert(store, covered, color_of<Text>(f, i),
+                                                              real(f.opacity[i]), through(f, i),
+                                                              real(weights[i]));
+                     });
     }
 
 private:

@@ -16,12 +16,29 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 // Samples s, s + 1, ... that fragment i covers.
-template <class L>
-HWY_INLINE typename L::mask sample_mask(const FragmentStream& f, std::size_t i, std::size_t s)
+template <class L, class Stream>
+HWY_INLINE typename L::mask sample_mask(const Stream& f, std::size_t i, std::size_t s)
 {
     const std::uint32_t word = s < 32 ? f.samples[i] : f.samples_high[i];
     return L::mask_of_bits(word >> (s & 31));
 }
+
+// Where a stream's numbers are: copies in registers, which what a store writes can't be taken for.
+struct StreamColumns {
+    const std::uint32_t *pixel, *samples, *samples_high;
+    const float *red, *green, *blue, *opacity;
+
+    explicit StreamColumns(const FragmentStream& f)
+        : pixel(f.pixel.data()),
+          samples(f.samples.data()),
+          samples_high(f.samples_high.data()),
+          red(f.red.data()),
+          green(f.green.data()),
+          blue(f.blue.data()),
+          opacity(f.opacity.data())
+    {
+    }
+};
 
 // Three channels of the same samples.
 template <class Text>
@@ -156,44 +173,49 @@ struct SampleStore {
         });
     }
 
-    // Replaces the store at the samples of each fragment i's pixel by add(i, store, covered).
+    // Replaces the store at the samples of each fragment i's pixel by add(columns, i, store,
+    // covered).
     // Two fragments at a time, which takes a fourth less: no two of a run share a pixel, and a load
     // need not wait for the store before it to show that it went elsewhere.
     template <class Add>
     HWY_INLINE void update(const FragmentStream& f, Add&& add)
     {
         with_sample_count<S>(kept.samples, [&](auto samples) HWY_ATTR {
-            for (int r = 0; r < f.run_count; ++r) update_run<samples>(f, f.runs[r], add);
+            const StreamColumns columns(f);
+            for (int r = 0; r < f.run_count; ++r) update_run<samples>(columns, f.runs[r], add);
         });
     }
 
 private:
     template <int Samples, class Add>
-    HWY_INLINE void update_run(const FragmentStream& f, const FragmentRun& run, Add&& add)
+    HWY_INLINE void update_run(const StreamColumns f, const FragmentRun& run, const Add add)
     {
+        float* to = values();
         const std::size_t end = run.first + run.count;
         std::size_t i = run.first;
-        for (; i + 2 <= end; i += 2) update_some<Samples, 2>(f, i, add);
-        if (i < end) update_some<Samples, 1>(f, i, add);
+        for (; i + 2 <= end; i += 2) update_some<Samples, 2>(f, i, add, to);
+        if (i < end) update_some<Samples, 1>(f, i, add, to);
     }
     // Fragments i, i + 1, ...
     template <int Samples, int Some, class Add>
-    HWY_INLINE void update_some(const FragmentStream& f, std::size_t i, Add&& add)
+    static HWY_INLINE void update_some(const StreamColumns& f, std::size_t i, const Add& add,
+                                       float* to)
     {
         for (std::size_t s = 0; s < Samples; s += L::kCount) {
             float* at[Some];
             typename Method::Store stores[Some];
             for (std::size_t k = 0; k < Some; ++k) {
-                at[k] = values() + Method::kChannels * f.pixel[i + k] * Samples + s;
-                stores[k] = add(i + k, Method::load(at[k], Samples), sample_mask<L>(f, i + k, s));
+                at[k] = to + Method::kChannels * f.pixel[i + k] * Samples + s;
+                stores[k] =
+                    add(f, i + k, Method::load(at[k], Samples), sample_mask<L>(f, i + k, s));
             }
             for (std::size_t k = 0; k < Some; ++k) Method::save(stores[k], at[k], Samples);
         }
     }
 };
 
-template <class Text>
-HWY_INLINE typename Text::real3 color_of(const FragmentStream& f, std::size_t i)
+template <class Text, class Stream>
+HWY_INLINE typename Text::real3 color_of(const Stream& f, std::size_t i)
 {
     using real = typename Text::real;
     return {real(f.red[i]), real(f.green[i]), real(f.blue[i])};

@@ -62,9 +62,10 @@ struct TotalAlpha : SampleStore<S, TotalAlphaMethod<S>> {
 
     HWY_INLINE void insert(const FragmentStream& f)
     {
-        this->update(f, [&](std::size_t i, real store, auto covered) HWY_ATTR {
-            return Text::total_alpha_insert(store, covered, real(f.opacity[i]));
-        });
+        this->update(f,
+                     [](const StreamColumns& c, std::size_t i, real store, auto covered) HWY_ATTR {
+                         return Text::total_alpha_insert(store, covered, real(c.opacity[i]));
+                     });
     }
 
     template <class Color>

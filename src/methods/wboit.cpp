@@ -89,10 +89,12 @@ struct WboitTile : SampleStore<S, WboitMethod<S>> {
             const auto d = scaled ? place_in_range(depth) : buffer_depth(eye, z);
             return WboitText<WeightBlock>::wboit_weight(equation, z, d, a);
         });
-        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
-            return Text::wboit_insert(store, covered, color_of<Text>(f, i), real(f.opacity[i]),
-                                      real(weights[i]));
-        });
+        const float* weight = weights.data();
+        this->update(
+            f, [weight](const StreamColumns& c, std::size_t i, auto store, auto covered) HWY_ATTR {
+                return Text::wboit_insert(store, covered, color_of<Text>(c, i), real(c.opacity[i]),
+                                          real(weight[i]));
+            });
     }
 
     // From 0 to 1 over what is drawn, by the logarithm of distance.

@@ -57,10 +57,11 @@ struct WeightedAverageTile : SampleStore<S, WeightedAverageMethod<S>> {
 
     void insert(const FragmentStream& f, int)
     {
-        this->update(f, [&](std::size_t i, auto store, auto covered) HWY_ATTR {
-            return Text::weighted_average_insert(store, covered, color_of<Text>(f, i),
-                                                 real(f.opacity[i]));
-        });
+        this->update(f,
+                     [](const StreamColumns& c, std::size_t i, auto store, auto covered) HWY_ATTR {
+                         return Text::weighted_average_insert(store, covered, color_of<Text>(c, i),
+                                                              real(c.opacity[i]));
+                     });
     }
 };
 
