@@ -6,7 +6,7 @@ namespace sheer {
 namespace {
 
 // A page holds hundreds of pixels, each with the functions of several methods.
-constexpr DepthsToAsk kDepths = {.distances = 64, .most_steps = 24};
+constexpr DepthsToAsk kDepths = {.distances = 160, .most_steps = 24};
 
 }  // namespace
 
