@@ -113,10 +113,10 @@ Table claims_table(const Claims& claims)
                 {"number", "paper", "ours", "difference", "band", "agrees", "if not, why"},
                 {}};
     for (const Claim& claim : claims.all) {
-        // As many digits as tell ours from the paper's, one more than printed.
+        // As many digits as tell ours from the paper's, one more than printed, and show the band.
         const std::size_t point = claim.paper.find('.');
-        const int digits =
-            point == std::string::npos ? 2 : static_cast<int>(claim.paper.size() - point);
+        int digits = point == std::string::npos ? 2 : static_cast<int>(claim.paper.size() - point);
+        while (claim.band > 0 && claim.band * std::pow(10, digits) < 0.9) ++digits;
         table.rows.push_back({words(claim.what), printed(claim.paper), number(claim.ours, digits),
                               signed_number(claim.difference(), digits), number(claim.band, digits),
                               words(claim.agrees() ? "yes" : "no"),

@@ -1,5 +1,6 @@
 // The worked examples of E. Enderton et al., "Stochastic Transparency", 2011: what the paper
 // prints, what enumerating all masks gives, and what is measured over the pixels of pictures.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -208,6 +209,9 @@ std::vector<Cell> mean_row(const Outcome& outcome, const char* channel, std::siz
             z_cell(test)};
 }
 
+// What the paper's numbers may be off: it prints a 0 shorter than the others.
+constexpr double kErrorUnit = 0.005, kMeanUnit = 0.0005;
+
 // Enumeration against what is printed: no chance is left.
 void compare_rows(const Outcome& outcome, const Example& example, Claims& claims)
 {
@@ -217,7 +221,7 @@ void compare_rows(const Outcome& outcome, const Example& example, Claims& claims
         claims.all.push_back({std::string(example.title) + ", " + outcome.row.estimation.title +
                                   ", " + example.channels[c],
                               paper, rms_error(outcome.exact[c], outcome.truth[c]),
-                              half_unit(paper), outcome.row.verdict});
+                              std::min(half_unit(paper), kErrorUnit), outcome.row.verdict});
     }
 }
 
@@ -269,7 +273,8 @@ void add_bias_examples(Page& page, Trying& try_it, Claims& claims)
         for (std::size_t c = 0; c < example.channels.size(); ++c) {
             claims.all.push_back(
                 {std::string("E(A), ") + example.title + ", " + example.channels[c],
-                 example.paper[c], exact[c].mean, half_unit(example.paper[c]), ""});
+                 example.paper[c], exact[c].mean, std::min(half_unit(example.paper[c]), kMeanUnit),
+                 ""});
             const auto test =
                 test_mean(trials.mean[c], exact[c].mean, exact[c].variance, trials.count);
             table.rows.push_back(
