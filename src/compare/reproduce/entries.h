@@ -33,5 +33,6 @@ Reproduce reproduce_slab_strips;
 Reproduce reproduce_surfaces_in_samples;
 Reproduce reproduce_moment_layers;
 Reproduce reproduce_moment_gap;
+Reproduce reproduce_truth_convergence;
 
 }  // namespace sheer

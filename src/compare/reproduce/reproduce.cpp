@@ -24,6 +24,8 @@ constexpr const char* kContinuum =
 
 constexpr const char* kMoment = "Sharpe. Moment Transparency. HPG 2018";
 
+constexpr const char* kOwn = "Of no paper: what everything else is measured by";
+
 constexpr ReproduceEntry kEntries[] = {
     {"stochastic-examples", kStochastic,
      "sections 3.1 to 3.4 and 4.1: errors of the worked examples, by every estimator",
@@ -93,6 +95,8 @@ constexpr ReproduceEntry kEntries[] = {
      reproduce_moment_layers},
     {"moment-gap", kMoment, "the same by the gap between two clusters of layers",
      reproduce_moment_gap},
+    {"truth-convergence", kOwn, "the truth with 64 to 1,024 samples: what more of them change",
+     reproduce_truth_convergence},
 };
 
 }  // namespace
