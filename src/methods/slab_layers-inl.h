@@ -15,7 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 // Words: of a layer's mask; 0: implicit coverage. Layers come near to far; a pixel's first
-// layers(pixel) have been written to, of which the last may be clear at some samples.
+// layers(pixel) have been written to, of which the last may be clear at some samples. What is left
+// behind the last of as many as there may be, clear at samples that nothing fell from, is given to
+// falls(pixel, s, layer).
 template <int S, int Words>
 class SlabLayers {
 public:
@@ -57,21 +59,40 @@ public:
         return l;
     }
 
-    // A fragment, clear where it does not cover the sample, takes its place if it is seen there, or
-    // need not be. What is left behind the last layer is forgotten.
-    HWY_INLINE void put(const Layer& f, std::size_t pixel, std::size_t s)
+    HWY_INLINE void save(const Layer& l, std::size_t pixel, std::size_t layer, std::size_t s)
     {
-        asks_ ? put_if_seen(f, pixel, s) : put_anyway(f, pixel, s);
+        float* at = values_.data() + index(pixel, layer) + s;
+        l.depth.store(at);
+        l.id.as_real().store(at + count());
+        if constexpr (kExplicit) {
+            const whole words[4] = {l.bits.a, l.bits.b, l.bits.c, l.bits.d};
+            for (std::size_t w = 0; w < Words; ++w) {
+                words[w].as_real().store(at + (2 + w) * count());
+            }
+        } else {
+            l.limit.store(at + 2 * count());
+            l.opacity.store(at + 3 * count());
+        }
+        if (colored_) save_color<Text>(l.color, at + (channels_ - 3) * count(), count());
+    }
+
+    // A fragment, clear where it does not cover the sample, takes its place if it is seen there, or
+    // need not be.
+    template <class Falls>
+    HWY_INLINE void put(const Layer& f, std::size_t pixel, std::size_t s, Falls&& falls)
+    {
+        asks_ ? put_if_seen(f, pixel, s, falls) : put_anyway(f, pixel, s, falls);
     }
 
     // The other's layers, near to far. What both have is there once.
-    void merge(const SlabLayers& other)
+    template <class Falls>
+    void merge(const SlabLayers& other, Falls&& falls)
     {
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
             for (std::size_t j = 0; j < other.layers(pixel); ++j) {
                 for (std::size_t s = 0; s < count(); s += L::kCount) {
                     const Layer f = unless_known(other.load(pixel, j, s), pixel, s);
-                    purges_ ? put_if_seen(f, pixel, s) : put_anyway(f, pixel, s);
+                    purges_ ? put_if_seen(f, pixel, s, falls) : put_anyway(f, pixel, s, falls);
                 }
             }
         }
@@ -156,23 +177,6 @@ private:
     {
         return whole::bits_of(real::load(at + channel * count()));
     }
-    HWY_INLINE void save(const Layer& l, std::size_t pixel, std::size_t layer, std::size_t s)
-    {
-        float* at = values_.data() + index(pixel, layer) + s;
-        l.depth.store(at);
-        l.id.as_real().store(at + count());
-        if constexpr (kExplicit) {
-            const whole words[4] = {l.bits.a, l.bits.b, l.bits.c, l.bits.d};
-            for (std::size_t w = 0; w < Words; ++w) {
-                words[w].as_real().store(at + (2 + w) * count());
-            }
-        } else {
-            l.limit.store(at + 2 * count());
-            l.opacity.store(at + 3 * count());
-        }
-        if (colored_) save_color<Text>(l.color, at + (channels_ - 3) * count(), count());
-    }
-
     // slab_select of what is kept.
     HWY_INLINE Layer select(mask m, const Layer& a, const Layer& b) const
     {
@@ -198,7 +202,8 @@ private:
         Front front;
     };
 
-    HWY_NOINLINE void put_if_seen(const Layer& f, std::size_t pixel, std::size_t s)
+    template <class Falls>
+    HWY_NOINLINE void put_if_seen(const Layer& f, std::size_t pixel, std::size_t s, Falls&& falls)
     {
         const std::size_t n = layers(pixel);
         Front front = Text::slab_no_front();
@@ -216,19 +221,23 @@ private:
         }
         if (leads) place.front = front;
         const mask seen = Text::slab_shows(kExplicit, front, f);
-        if (seen.any()) put_at(place, select(seen, f, nothing()), pixel, s);
+        if (seen.any()) put_at(place, select(seen, f, nothing()), pixel, s, falls);
     }
     // If it has a bit.
-    HWY_NOINLINE void put_anyway(const Layer& f, std::size_t pixel, std::size_t s)
+    template <class Falls>
+    HWY_NOINLINE void put_anyway(const Layer& f, std::size_t pixel, std::size_t s, Falls&& falls)
     {
         const mask any = Text::slab_shows(kExplicit, Text::slab_no_front(), f);
         if (!any.any()) return;
         std::size_t at = layers(pixel);
         while (at > 0 && Text::slab_in_front(f, load_uncolored(pixel, at - 1, s)).any()) --at;
-        put_at({at, Text::slab_no_front()}, select(any, f, nothing()), pixel, s);
+        const Place place{at, Text::slab_no_front()};
+        put_at(place, select(any, f, nothing()), pixel, s, falls);
     }
 
-    HWY_INLINE void put_at(const Place& place, Layer f, std::size_t pixel, std::size_t s)
+    template <class Falls>
+    HWY_INLINE void put_at(const Place& place, Layer f, std::size_t pixel, std::size_t s,
+                           Falls&& falls)
     {
         const std::size_t n = layers(pixel);
         Front front = place.front;
@@ -246,7 +255,12 @@ private:
             purge(f, front, gone);
             if (gone.any()) close_gaps(f, pixel, place.layer, s);
         }
-        if (n < most_ && there(f).any()) append(f, pixel, s);
+        if (!there(f).any()) return;
+        if (n < most_) {
+            append(f, pixel, s);
+        } else {
+            falls(pixel, s, f);
+        }
     }
     HWY_INLINE void append(const Layer& f, std::size_t pixel, std::size_t s)
     {

@@ -16,7 +16,18 @@
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
-template <int S, int Words>
+// What becomes of a layer too many: it is forgotten, and so is all that lies behind the last.
+struct ForgettingLayers {
+    static constexpr bool kForgets = true;
+    static SlabSettings settings(const ChosenMethod& method) { return slab_settings(method); }
+
+    template <class Layers>
+    static HWY_INLINE void fall(Layers&, std::size_t, std::size_t, const typename Layers::Layer&)
+    {
+    }
+};
+
+template <int S, int Words, class Kind = ForgettingLayers>
 class SlabTile {
     using Layers = SlabLayers<S, Words>;
     using L = typename Layers::L;
@@ -33,7 +44,7 @@ class SlabTile {
 public:
     explicit SlabTile(const StoreShape& shape)
         : set_(*shape.samples),
-          settings_(slab_settings(*shape.method)),
+          settings_(Kind::settings(*shape.method)),
           draws_(settings_, set_.count),
           layers_(settings_, set_.count, settings_.in_depth ? kSlabCandidates : settings_.layers)
     {
@@ -64,7 +75,7 @@ public:
 
     void merge(const SlabTile& other)
     {
-        layers_.merge(other.layers_);
+        layers_.merge(other.layers_, falls());
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) forget_behind(pixel);
         for (std::size_t i = 0; i < sums_.values.size(); ++i) {
             sums_.values[i] += other.sums_.values[i];
@@ -118,7 +129,7 @@ private:
             for (std::size_t s = 0; s < count(); s += L::kCount) {
                 Layer fragment = fragment_at(f, plane, id, i, s);
                 draw(fragment, f, i, k, s);
-                layers_.put(fragment, pixel, s);
+                layers_.put(fragment, pixel, s, falls());
             }
             forget_behind(pixel);
         });
@@ -141,8 +152,14 @@ private:
         }
         if (!settings_.depth_based) fragment.color = color_of<Text>(f, i);
     }
+    HWY_INLINE auto falls()
+    {
+        return [this](std::size_t pixel, std::size_t s, const Layer& fallen)
+                   HWY_ATTR { Kind::fall(layers_, pixel, s, fallen); };
+    }
     HWY_INLINE void forget_behind(std::size_t pixel)
     {
+        if constexpr (!Kind::kForgets) return;
         draws_.farthest.data()[pixel] = layers_.farthest(pixel);
     }
 

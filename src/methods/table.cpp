@@ -24,6 +24,7 @@ MethodRow bucket_peeling_row();
 MethodRow k_buffer_row();
 MethodRow hybrid_row();
 MethodRow mlab_row();
+MethodRow mlcb_row();
 MethodRow z3_row();
 MethodRow adaptive_row();
 MethodRow deep_shadow_map_row();
@@ -36,7 +37,7 @@ MethodRow wavelet_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 29> kTable = {{
+    static const std::array<MethodRow, 30> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -92,6 +93,7 @@ std::span<const MethodRow> method_table()
         k_buffer_row(),
         hybrid_row(),
         mlab_row(),
+        mlcb_row(),
         z3_row(),
         adaptive_row(),
         deep_shadow_map_row(),

@@ -103,7 +103,8 @@ inline const std::vector<ChosenMethod>& every_method()
         }
         // What pairs of values do not meet: as many layers as bits, where order does not matter.
         for (const char* text : {"slab", "slab:layers=4:bits=4", "slab:layers=8:bits=8",
-                                 "slab:layers=4:bits=4:depth-based=off"}) {
+                                 "slab:layers=4:bits=4:depth-based=off", "mlcb",
+                                 "mlcb:layers=4:bits=4:correction=off"}) {
             made.push_back(choose_method(text));
         }
         return made;

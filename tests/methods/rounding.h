@@ -32,6 +32,9 @@
 // slab          Of k layers, whose visibility is a quotient, or a product, off by 2 k. Depth based:
 //               as above, 2 k more in each term. Else the k parts of the layers: 2 k + 3 each,
 //               their sum k.
+// mlcb          As slab's layers. Two that become one are a mean, whose weights are off by 1 and 2:
+//               3, the products and the sum: 6 of M, which passes on no more error than it got: 6
+//               n.
 // by a function of depth (moment and its like)
 //               The function's values are the same floats in both. Each of the n addends of both
 //               sums is off by two products, 2, and by half of 2^-48 on its grid, of a sum that is
@@ -142,6 +145,9 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
         const double sum = sums_all ? n + 2 * k + 4 : 3 * k + 4;
         formula =
             backdrop + (corrects ? 2 * sum + 2 * n + 6 : sum * (sums_all ? std::max(n, 1.0) : 1.0));
+    } else if (id == "mlcb") {
+        const double sum = 3 * method.number("layers") + 4 + 6 * n;
+        formula = backdrop + (method.value("correction") == "on" ? 2 * sum + 2 * n + 6 : sum);
     } else if (id != "none" && id != "stratified-stochastic" && !is_alpha_test(method)) {
         ADD_FAILURE() << "there is no bound for the method '" << id << "'";
     }

@@ -1,12 +1,14 @@
-// The text of stochastic layered alpha blending, for texts_alone.h, which has the rest.
+// The texts of stochastic layered alpha blending and of multi-layer coverage blending, which are
+// one but for what becomes of a layer too many; for texts_alone.h, which has the rest.
 #pragma once
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "methods/fragment_lists.h"
-#include "methods/slab_settings.h"
+#include "methods/mlcb_settings.h"
 
 namespace sheer::test {
 
@@ -23,7 +25,8 @@ struct SlabAlone : MethodAlone<L> {
     using Layer = typename T::SlabLayer;
     using Layers = std::vector<Layer>;
     static constexpr int kPasses = 2;
-    const SlabSettings settings = slab_settings(this->method);
+    const bool joins = this->method.row->id == std::string_view("mlcb");
+    const SlabSettings settings = joins ? mlcb_settings(this->method) : slab_settings(this->method);
     std::uint32_t pixel = 0;
 
     struct Store {
@@ -95,7 +98,10 @@ struct SlabAlone : MethodAlone<L> {
         if (settings.keep == SlabKeep::purged && !settings.in_depth) purge(s.layers);
         const auto most =
             static_cast<std::size_t>(settings.in_depth ? kSlabCandidates : settings.layers);
-        if (s.layers.size() > most) s.layers.pop_back();
+        if (s.layers.size() <= most) return;
+        const Layer fallen = s.layers.back();
+        s.layers.pop_back();
+        if (joins) s.layers.back() = T::mlcb_join(s.layers.back(), fallen);
     }
     void purge(Layers& layers) const
     {

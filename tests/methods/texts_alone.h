@@ -54,6 +54,7 @@ struct Texts {
 #include "sheer/deep_shadow_map.glsl"
 #include "sheer/slab_bits.glsl"
 #include "sheer/slab.glsl"
+#include "sheer/mlcb.glsl"
 #include "sheer/alpha_test.glsl"
 #include "sheer/hashed_threshold.glsl"
 #include "sheer/alpha_to_coverage.glsl"
@@ -204,7 +205,7 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     if (id == "hybrid") return make_alone<L, HybridAlone>(lists, method);
     if (id == "adaptive") return make_alone<L, AdaptiveAlone>(lists, method);
     if (id == "depth-peeling") return make_alone<L, DepthPeelingAlone>(lists, method);
-    if (id == "slab") return make_alone<L, SlabAlone>(lists, method);
+    if (id == "slab" || id == "mlcb") return make_alone<L, SlabAlone>(lists, method);
     if (id == "dual-depth-peeling") return make_alone<L, DualPeelingAlone>(lists, method);
     if (id == "bucket-peeling") return make_alone<L, BucketPeelingAlone>(lists, method);
     if (id == "phenomenological") return make_alone<L, PhenomenologicalAlone>(lists, method);

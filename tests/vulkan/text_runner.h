@@ -146,6 +146,13 @@ private:
             all.push_back({8, settings.adds_tail ? 1u : 0u});
             all.push_back({9, settings.corrects ? 1u : 0u});
         }
+        if (id == "mlcb") {
+            const SlabSettings settings = mlcb_settings(method);
+            all.push_back({1, static_cast<std::uint32_t>(settings.layers)});
+            all.push_back({2, static_cast<std::uint32_t>(settings.bits)});
+            all.push_back({3, static_cast<std::uint32_t>(settings.keep)});
+            all.push_back({4, settings.corrects ? 1u : 0u});
+        }
         if (id == "mlab" || id == "z3" || id == "k-buffer" || id == "hybrid") {
             all.push_back({1, static_cast<std::uint32_t>(method.number("layers"))});
         }

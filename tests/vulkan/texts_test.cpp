@@ -58,6 +58,7 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
                                  "stratified-stochastic",
                                  "slab",
                                  "mlab",
+                                 "mlcb",
                                  "z3",
                                  "k-buffer",
                                  "hybrid",
