@@ -1,4 +1,5 @@
 // sheer reproduce: the papers' tables and figures.
+#include <filesystem>
 #include <memory>
 #include <span>
 #include <string>
@@ -50,6 +51,12 @@ std::vector<const ReproduceEntry*> chosen_entries(const std::vector<std::string>
     return chosen;
 }
 
+void check_is_folder(const std::string& path)
+{
+    if (path.empty() || std::filesystem::is_directory(path)) return;
+    throw Error(Fault::input, path + ": not a folder");
+}
+
 void run_reproduce(ReproduceRequest request)
 {
     if (request.names == std::vector<std::string>{"list"}) {
@@ -58,6 +65,7 @@ void run_reproduce(ReproduceRequest request)
     }
     const auto entries = chosen_entries(request.names);
     if (request.job.folder.empty()) throw Error(Fault::input, "--output is required");
+    check_is_folder(request.job.scenes);
     make_folder(request.job.folder);
     const std::string all = request.job.folder + "/index.html";
     check_writable(all);
@@ -95,6 +103,9 @@ void add_reproduce_command(CLI::App& tool)
         ->required();
     add_value(*command, "-o,--output", "DIR", "A folder for the results, made if missing",
               [request](auto&, auto& text) { request->job.folder = text; });
+    add_value(*command, "--scenes", "DIR",
+              "Scene files for 'continuum-table', which takes five glTF files below it",
+              [request](auto&, auto& text) { request->job.scenes = text; });
     add_value(*command, "--threads", "N", "0: all that the machine has (0)",
               [request](auto& option, auto& text) {
                   request->job.options.threads = parse_whole(option, text, 0, 4096);

@@ -12,6 +12,7 @@
 
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
+#include "methods/method.h"
 
 namespace sheer::test {
 
@@ -109,6 +110,37 @@ TEST(CliReproduceContinuum, SamplesHoldAsManySurfacesAsMasksSay)
     }
     EXPECT_EQ(sums.size(), 20u);
     for (const auto& [name, sum] : sums) EXPECT_NEAR(sum, 1, 1e-9) << name;
+}
+
+TEST(CliReproduceContinuum, TableHasEveryMethod)
+{
+    const Json json = reproduce(Tool(), "continuum-table");
+    ASSERT_EQ(json["tables"].size(), 3u + 3u);
+    std::size_t rows = 4;  // variants
+    for (const MethodRow& row : method_table()) rows += row.bench_only ? 0 : 1;
+    for (const Json& table : json["tables"]) EXPECT_EQ(table["rows"].size(), rows);
+    for (const Json& row : json["tables"][0]["rows"]) {
+        if (row["method"] == "exact") {
+            EXPECT_EQ(row["cloth"], 0);
+        }
+        if (row["method"] == "blend") {
+            EXPECT_GT(row["cloth"], 0);
+        }
+    }
+    for (const Json& row : json["tables"][2]["rows"]) {
+        if (row["method"] == "stochastic") {
+            EXPECT_EQ(row["cloth"], 4 * 20 + 4);
+        }
+    }
+}
+
+TEST(CliReproduceContinuum, RefusesAFolderThatIsNone)
+{
+    const Tool tool;
+    const Outcome outcome =
+        tool.run({"reproduce", "continuum-table", "--scenes", "nowhere", "-o", "out"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.err, "sheer: nowhere: not a folder\n");
 }
 
 }  // namespace

@@ -31,6 +31,7 @@ Reproduce reproduce_stratified_combined;
 Reproduce reproduce_slab_knob;
 Reproduce reproduce_slab_strips;
 Reproduce reproduce_surfaces_in_samples;
+Reproduce reproduce_continuum_table;
 Reproduce reproduce_moment_layers;
 Reproduce reproduce_moment_gap;
 Reproduce reproduce_truth_convergence;

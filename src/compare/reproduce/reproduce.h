@@ -13,6 +13,7 @@ struct PageContent;
 
 struct ReproduceJob {
     std::string folder;                    // for results; exists
+    std::string scenes;                    // a folder of scene files; empty: none
     bool quick = false;                    // smaller pictures, fewer trials: to see that it works
     Options options;                       // threads and simd count
     std::function<void(double)> progress;  // with the part done, in [0, 1]
