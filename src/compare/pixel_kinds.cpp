@@ -67,25 +67,18 @@ PixelKinds::PixelKinds(int width, int height, int samples)
 void PixelKinds::take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
                       const FragmentStream& stream)
 {
-    for (std::size_t r = 0; r < static_cast<std::size_t>(stream.run_count); ++r) {
-        const FragmentRun& run = stream.runs[r];
-        for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-            const auto place = static_cast<int>(stream.pixel[i]);
-            const int x = rect.x0 + place % kTileSize, y = rect.y0 + place / kTileSize;
-            if (x < interior.x0 || x >= interior.x1 || y < interior.y0 || y >= interior.y1)
-                continue;
-            const auto covered = static_cast<std::uint64_t>(std::popcount(stream.sample_bits(i)));
-            if (covered == 0) continue;
-            const float depth = std::clamp(stream.depth[i], run.depth.least, run.depth.most);
-            const float distance = shape.eye.orthographic ? depth : -1 / depth;
-            Seen& seen = seen_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
-            seen.nearest = seen.covered == 0 ? distance : std::min(seen.nearest, distance);
-            seen.farthest = seen.covered == 0 ? distance : std::max(seen.farthest, distance);
-            seen.covered += covered;
-            seen.opacity += covered * static_cast<std::uint64_t>(
-                                          std::llround(double{stream.opacity[i]} * kOpacityUnits));
-        }
-    }
+    const auto add = [&](const FragmentRun&, std::size_t i, int x, int y, float depth) {
+        const auto covered = static_cast<std::uint64_t>(std::popcount(stream.sample_bits(i)));
+        if (covered == 0) return;
+        const float distance = shape.eye.orthographic ? depth : -1 / depth;
+        Seen& seen = seen_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
+        seen.nearest = seen.covered == 0 ? distance : std::min(seen.nearest, distance);
+        seen.farthest = seen.covered == 0 ? distance : std::max(seen.farthest, distance);
+        seen.covered += covered;
+        seen.opacity += covered * static_cast<std::uint64_t>(
+                                      std::llround(double{stream.opacity[i]} * kOpacityUnits));
+    };
+    for_each_inside(rect, interior, stream, add);
 }
 
 std::optional<std::size_t> PixelKinds::band(std::size_t pixel, std::size_t scale) const

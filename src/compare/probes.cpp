@@ -30,28 +30,21 @@ Probes::Probes(int width, int height, int most)
 void Probes::take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
                   const FragmentStream& stream)
 {
-    for (std::size_t r = 0; r < static_cast<std::size_t>(stream.run_count); ++r) {
-        const FragmentRun& run = stream.runs[r];
-        for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-            const auto place = static_cast<int>(stream.pixel[i]);
-            const int x = rect.x0 + place % kTileSize, y = rect.y0 + place / kTileSize;
-            if (x < interior.x0 || x >= interior.x1 || y < interior.y0 || y >= interior.y1)
-                continue;
-            if (x % spacing_ != first_ % spacing_ || y % spacing_ != first_ % spacing_) continue;
-            const auto probe = static_cast<std::size_t>(y / spacing_ * columns_ + x / spacing_);
-            const float depth = std::clamp(stream.depth[i], run.depth.least, run.depth.most);
-            const std::uint64_t samples = stream.sample_bits(i);
-            samples_[probe] = shape.samples;
-            kept_[probe].push_back({depth,
-                                    run.primitive,
-                                    samples,
-                                    {.depth = shape.eye.orthographic ? depth : -1 / depth,
-                                     .opacity = stream.opacity[i],
-                                     .coverage = static_cast<float>(std::popcount(samples)) /
-                                                 static_cast<float>(shape.samples),
-                                     .color = {stream.red[i], stream.green[i], stream.blue[i]}}});
-        }
-    }
+    const auto keep = [&](const FragmentRun& run, std::size_t i, int x, int y, float depth) {
+        if (x % spacing_ != first_ % spacing_ || y % spacing_ != first_ % spacing_) return;
+        const auto probe = static_cast<std::size_t>(y / spacing_ * columns_ + x / spacing_);
+        const std::uint64_t samples = stream.sample_bits(i);
+        samples_[probe] = shape.samples;
+        kept_[probe].push_back({depth,
+                                run.primitive,
+                                samples,
+                                {.depth = shape.eye.orthographic ? depth : -1 / depth,
+                                 .opacity = stream.opacity[i],
+                                 .coverage = static_cast<float>(std::popcount(samples)) /
+                                             static_cast<float>(shape.samples),
+                                 .color = {stream.red[i], stream.green[i], stream.blue[i]}}});
+    };
+    for_each_inside(rect, interior, stream, keep);
 }
 
 std::vector<Probe> Probes::results() const

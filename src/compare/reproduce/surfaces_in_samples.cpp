@@ -58,17 +58,11 @@ public:
     void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape&,
               const FragmentStream& stream) override
     {
-        for (std::size_t r = 0; r < static_cast<std::size_t>(stream.run_count); ++r) {
-            const FragmentRun& run = stream.runs[r];
-            for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-                const auto place = static_cast<int>(stream.pixel[i]);
-                const int x = rect.x0 + place % kTileSize, y = rect.y0 + place / kTileSize;
-                if (!meet(interior, {x, y, x + 1, y + 1})) continue;
-                const float depth = std::clamp(stream.depth[i], run.depth.least, run.depth.most);
-                pixels_[static_cast<std::size_t>(y * width_ + x)].push_back(
-                    {depth, run.primitive, stream.opacity[i]});
-            }
-        }
+        for_each_inside(rect, interior, stream,
+                        [&](const FragmentRun& run, std::size_t i, int x, int y, float depth) {
+                            pixels_[static_cast<std::size_t>(y * width_ + x)].push_back(
+                                {depth, run.primitive, stream.opacity[i]});
+                        });
     }
 
     // No order of arrival shows.
