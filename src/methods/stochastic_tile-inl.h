@@ -152,8 +152,8 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
                 const auto taken = L::mask_of_bits(masks.word(k, s));
                 fragment.depth = sample_depth<L>(plane, offset[b], depth[i]);
                 float* at = stores + (Method::kChannels * pixel * Samples + s);
-                const real kept = Method::insert(taken, fragment, at, Samples);
-                most = b == 0 ? kept : L::max(most, kept);
+                const real left = Method::insert(taken, fragment, at, Samples);
+                most = b == 0 ? left : L::max(most, left);
             }
             far[pixel] = most.greatest();
         }
