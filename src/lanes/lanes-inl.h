@@ -63,8 +63,9 @@ struct Lanes {
         HWY_INLINE void store_where(mask m, float* p) const
         {
             // Elsewhere a masked store takes several instructions, or long, and what is kept can be
-            // a choice's own operand.
-            if constexpr (HWY_TARGET <= HWY_AVX3) {
+            // a choice's own operand. Masks of one or two lanes have bits of none, which would be
+            // stored too.
+            if constexpr (HWY_TARGET <= HWY_AVX3 && kCount >= 4) {
                 hn::BlendedStore(v, m.m, F(), p);
             } else {
                 hn::StoreU(hn::IfThenElse(hn::Not(m.m), hn::LoadU(F(), p), v), F(), p);
