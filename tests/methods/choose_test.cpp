@@ -26,7 +26,7 @@ TEST(Methods, ChoosingByText)
               "alpha-test, stochastic-alpha-test, hashed-alpha-test, alpha-to-coverage, "
               "hashed-alpha-to-coverage, screen-door, "
               "depth-peeling, dual-depth-peeling, bucket-peeling, stochastic, "
-              "stratified-stochastic, slab, k-buffer, hybrid, mlab, z3, adaptive, "
+              "stratified-stochastic, slab, k-buffer, hybrid, mlab, mlcb, z3, adaptive, "
               "deep-shadow-map, weighted-average, wboit, phenomenological, fourier, moment, mboit, "
               "wavelet");
     EXPECT_EQ(message("wboit:wieght=eq8"),
