@@ -56,9 +56,9 @@ struct EdgeBatch {
     // Along a row, an edge function f is zero -f * to_zero pixels away. A limit that an edge does
     // not set is out of the way.
     alignas(64) RealEach to_zero[3], no_lower[3], no_upper[3];
-    // Bit k, of triangle k: no sample of the region can be covered; all of it is inside; an edge is
-    // too long for 32 bits; its bounds are small.
-    std::uint32_t outside, inside, wide, small;
+    // Bit k, of triangle k: no sample of the region can be covered; an edge is too long for 32
+    // bits; its bounds are small.
+    std::uint32_t outside, wide, small;
 };
 
 // Where both sides of a triangle's bounds are shorter, what make_edges computes stays below 2^30,
@@ -70,7 +70,7 @@ inline constexpr std::int64_t kLongestNarrowEdge = std::int64_t{1} << 18;
 
 // An edge in 64 bits, where it may not be small.
 HWY_INLINE void make_long_edge(const CornerBatch& t, std::size_t k, std::size_t i, EdgeBatch& b,
-                               const WantedPixels& wanted, bool& is_outside, bool& is_inside)
+                               const WantedPixels& wanted, bool& is_outside)
 {
     const std::size_t j = i == 2 ? 0 : i + 1;
     const std::int32_t dx = t.x[j][k] - t.x[i][k], dy = t.y[j][k] - t.y[i][k];
@@ -83,7 +83,6 @@ HWY_INLINE void make_long_edge(const CornerBatch& t, std::size_t k, std::size_t 
     const auto zero = std::int64_t{0};
     is_outside |= corner + std::max(zero, along_x) + std::max(zero, along_y) < 0;
     const bool inside = corner + std::min(zero, along_x) + std::min(zero, along_y) >= 0;
-    is_inside &= inside;
     b.corner[i][k] = inside ? 0 : static_cast<std::int32_t>(corner);
     b.step_x[i][k] = inside ? 0 : -dy;
     b.step_y[i][k] = inside ? 0 : dx;
@@ -94,13 +93,12 @@ HWY_INLINE void make_long_edge(const CornerBatch& t, std::size_t k, std::size_t 
 HWY_INLINE void make_long_edges(const CornerBatch& t, std::size_t k, const WantedPixels& wanted,
                                 EdgeBatch& b)
 {
-    bool is_outside = false, is_inside = true;
+    bool is_outside = false;
     for (std::size_t i = 0; i < 3; ++i) {
-        make_long_edge(t, k, i, b, wanted, is_outside, is_inside);
+        make_long_edge(t, k, i, b, wanted, is_outside);
     }
     const std::uint32_t bit = 1u << k;
     b.outside = is_outside ? b.outside | bit : b.outside & ~bit;
-    b.inside = is_inside ? b.inside | bit : b.inside & ~bit;
 }
 
 // Lanes whose bounds are small.
@@ -144,7 +142,7 @@ HWY_INLINE void make_edges(const CornerBatch& t, const WantedPixels& wanted, Edg
     const whole corner_y = (whole::load(b.y0) + whole(wanted.tile_y)) * whole(kSubpixels);
     const whole right = width * whole(kSubpixels) - whole(1);
     const whole bottom = height * whole(kSubpixels) - whole(1);
-    mask outside = (width < whole(1)) | (height < whole(1)), inside = !outside;
+    mask outside = (width < whole(1)) | (height < whole(1));
     for (std::size_t i = 0; i < 3; ++i) {
         const std::size_t j = i == 2 ? 0 : i + 1;
         const whole x = whole::load(t.x[i]), y = whole::load(t.y[i]);
@@ -156,13 +154,11 @@ HWY_INLINE void make_edges(const CornerBatch& t, const WantedPixels& wanted, Edg
         outside = outside | (corner + Block::max(zero, along_x) + Block::max(zero, along_y) < zero);
         const mask within =
             !(corner + Block::min(zero, along_x) + Block::min(zero, along_y) < zero);
-        inside = inside & within;
         Block::select(within, zero, corner).store(b.corner[i]);
         Block::select(within, zero, zero - dy).store(b.step_x[i]);
         Block::select(within, zero, dx).store(b.step_y[i]);
     }
     b.outside = outside.bits();
-    b.inside = inside.bits();
     b.wide = 0;
 }
 
