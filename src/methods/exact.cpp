@@ -1,12 +1,13 @@
 // The exact answer: every fragment is kept, and sorted at each sample.
 // Carpenter. The A-buffer, an Antialiased Hidden Surface Method. SIGGRAPH 1984.
 //
-// A pixel's fragments are sorted once, by their depth at the first sample that each covers, and
-// composited with lanes over the samples; a sample at which that order proves wrong (surfaces that
-// cross inside the pixel), or too close to call in floats, is sorted in doubles and composited
-// again for itself. The order is by (depth, primitive), so the picture does not depend on the order
-// of arrival, to the last bit. 36 bytes a fragment, 48
-// where there is coloured glass, without bound.
+// A tile's triangles are put in rough order, in which their fragments come to the pixels' lists. A
+// pixel's list is sorted once, by depth at the first sample that each fragment covers, and
+// composited with lanes over the samples; where that order proves wrong at one of them (surfaces
+// that cross inside the pixel), or too close to call in floats, those fragments are sorted in
+// doubles, each sample for itself. The order is by (depth, primitive), so the picture does not
+// depend on the order of arrival, to the last bit. 38 bytes a fragment, 50 where there is coloured
+// glass, without bound; 8 more while a tile's are sorted.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -25,7 +26,8 @@
 #include <hwy/foreach_target.h>
 
 #include "lanes/lone.h"
-#include "methods/exact_layers.h"
+#include "methods/exact_doubts-inl.h"
+#include "methods/exact_lists.h"
 #include "methods/exact_verbs-inl.h"
 #include "methods/samples-inl.h"
 #include "raster/sample_depth-inl.h"
@@ -48,20 +50,14 @@ struct ExactStore {
 
     const SampleSet& set;
     const std::size_t most_bytes;
-    std::vector<Layer> layers;
-    std::vector<LayerRun> runs;
-    std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(kTilePixels);  // of the layers
-    std::uint32_t most_in_pixel = 0;
+    ExactLists<Layer> lists;
     // Since memory was given back: the most there was of each, and the bytes of all.
     std::size_t most_layers = 0, most_runs = 0, most_in_any_pixel = 0, touched = 0;
-    std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
-    std::vector<Layer> by_pixel;
-    std::vector<std::uint64_t> keys;   // of the pixel at hand
+    // Of the pixel at hand.
     std::vector<Placed<Layer>> order;  // its layers, near to far
     // Of its samples s, s + 1, ...: a value a lane, layer after layer.
-    std::vector<float> nearest;   // the least that depth may be
-    std::vector<float> furthest;  // the most that depth may be up to here
-    std::vector<std::uint32_t> doubt;
+    std::vector<float> furthest;      // the most that the layer's depth may be
+    std::vector<float> nearest_from;  // the least that depth may be of it or any after it
     std::vector<PreciselyPlaced<Layer>> sample_order;  // of one sample
 
     explicit ExactStore(const StoreShape& shape) : set(*shape.samples), most_bytes(shape.most_bytes)
@@ -71,107 +67,59 @@ struct ExactStore {
     void clear(const TilePlace&)
     {
         if (touched > most_bytes) give_back();
-        layers.clear();
-        runs.clear();
-        std::fill(counts.begin(), counts.end(), 0);
-        most_in_pixel = 0;
+        lists.clear();
     }
 
     bool insert(const FragmentStream& f, int)
     {
-        count(f);
-        const std::size_t old = layers.size();
-        if (!reserve(old + static_cast<std::size_t>(f.size),
-                     runs.size() + static_cast<std::size_t>(f.run_count))) {
+        lists.count(f);
+        if (!reserve(lists.layers.size() + static_cast<std::size_t>(f.size),
+                     lists.runs.size() + static_cast<std::size_t>(f.run_count))) {
             return false;
         }
-        layers.resize(old + static_cast<std::size_t>(f.size));
-        Layer* to = layers.data() + old;
-        for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
-            const FragmentRun& run = f.runs[r];
-            const auto number = static_cast<std::uint32_t>(runs.size());
-            runs.push_back({run.depth, run.primitive});
-            for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-                static_cast<PlainLayer&>(*to) = {f.red[i],     f.green[i],   f.blue[i],
-                                                 f.opacity[i], f.depth[i],   f.pixel[i],
-                                                 number,       f.samples[i], f.samples_high[i]};
-                if constexpr (std::is_same_v<Layer, ColoredLayer>) {
-                    to->through_red = f.through_red[i];
-                    to->through_green = f.through_green[i];
-                    to->through_blue = f.through_blue[i];
-                }
-                ++to;
-            }
-        }
+        lists.insert(f, set);
         return true;
     }
 
-    void count(const FragmentStream& f)
-    {
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-            most_in_pixel = std::max(most_in_pixel, ++counts[f.pixel[i]]);
-        }
-    }
-
     // Room for as many, if that and what resolving them takes stays within most_bytes. What earlier
-    // tiles have touched counts too, until `clear` gives it back. Vectors that grow hold their old
-    // contents beside the new for a while: where memory is short, they get the room that they may
-    // need at once, which costs nothing before it is used.
+    // tiles have touched counts too, until `clear` gives it back.
     bool reserve(std::size_t layer_count, std::size_t run_count)
     {
-        constexpr std::size_t kLayerBytes = 2 * sizeof(Layer);  // as they came, and by pixel
         constexpr std::size_t kPixelLayerBytes =
-            sizeof(keys[0]) + sizeof(order[0]) + sizeof(doubt[0]) + sizeof(sample_order[0]) +
-            (sizeof(nearest[0]) + sizeof(furthest[0])) * L::kCount;
+            sizeof(order[0]) + sizeof(sample_order[0]) +
+            (sizeof(furthest[0]) + sizeof(nearest_from[0])) * L::kCount;
         most_layers = std::max(most_layers, layer_count);
         most_runs = std::max(most_runs, run_count);
-        most_in_any_pixel = std::max<std::size_t>(most_in_any_pixel, most_in_pixel);
-        touched = most_layers * kLayerBytes + most_runs * sizeof(LayerRun) +
+        most_in_any_pixel = std::max<std::size_t>(most_in_any_pixel, lists.most_in_pixel);
+        touched = most_layers * lists.kBytesOfLayer + most_runs * lists.kBytesOfRun +
                   3 * most_in_any_pixel * kPixelLayerBytes;
         if (touched > most_bytes) return false;
-        if (layers.capacity() == 0 && most_bytes != ~std::size_t{0}) {
-            layers.reserve(most_bytes / kLayerBytes);
-            by_pixel.reserve(most_bytes / kLayerBytes);
-            runs.reserve(most_bytes / sizeof(LayerRun));
+        if (lists.layers.capacity() == 0 && most_bytes != ~std::size_t{0}) {
+            lists.reserve(most_bytes);
         }
         return true;
     }
 
     void give_back()
     {
-        for (std::vector<Layer>* v : {&layers, &by_pixel}) std::vector<Layer>().swap(*v);
-        for (std::vector<float>* v : {&nearest, &furthest}) std::vector<float>().swap(*v);
-        std::vector<LayerRun>().swap(runs);
-        std::vector<std::uint64_t>().swap(keys);
+        lists.give_back();
+        for (std::vector<float>* v : {&nearest_from, &furthest}) std::vector<float>().swap(*v);
         std::vector<Placed<Layer>>().swap(order);
-        std::vector<std::uint32_t>().swap(doubt);
         std::vector<PreciselyPlaced<Layer>>().swap(sample_order);
         most_layers = most_runs = most_in_any_pixel = touched = 0;
     }
 
-    void merge(const ExactStore& other)
-    {
-        for (std::size_t p = 0; p < kTilePixels; ++p) {
-            counts[p] += other.counts[p];
-            most_in_pixel = std::max(most_in_pixel, counts[p]);
-        }
-        const auto shift = static_cast<std::uint32_t>(runs.size());
-        runs.insert(runs.end(), other.runs.begin(), other.runs.end());
-        for (Layer layer : other.layers) {
-            layer.run += shift;
-            layers.push_back(layer);
-        }
-    }
+    void merge(const ExactStore& other) { lists.merge(other.lists); }
 
     void resolve(SampleColors& backdrop)
     {
-        sort_by_pixel();
+        lists.list();
         for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            if (first[pixel] == first[pixel + 1]) continue;
+            if (lists.counts[pixel] == 0) continue;
             sort_layers(pixel);
             for (std::size_t s = 0; s < static_cast<std::size_t>(set.count); s += L::kCount) {
-                find_doubts(s);
-                const Sum sum = composite(s);
+                find_extents(s);
+                const Sum sum = composite(pixel, s);
                 resolve_samples<Text>(backdrop, pixel, s,
                                       [&](auto behind, real& transmittance) HWY_ATTR {
                                           return Verbs::resolve(sum, behind, transmittance);
@@ -180,136 +128,136 @@ struct ExactStore {
         }
     }
 
-    // A counting sort: the layers of pixel p are by_pixel[first[p] .. first[p + 1]).
-    void sort_by_pixel()
-    {
-        first[0] = 0;
-        for (std::size_t p = 0; p < kTilePixels; ++p) first[p + 1] = first[p] + counts[p];
-        if (by_pixel.size() < layers.size()) by_pixel.resize(layers.size());
-        for (const Layer& layer : layers) by_pixel[first[layer.pixel]++] = layer;
-        for (std::size_t p = kTilePixels; p > 0; --p) first[p] = first[p - 1];
-        first[0] = 0;
-    }
-
-    // By depth at the first sample that each layer covers, and then as they came: find_doubts sees
+    // By depth at the first sample that each layer covers, and then as they came: `composite` sees
     // to it that this is only where it begins.
     void sort_layers(std::size_t pixel)
     {
-        const Layer* begin = by_pixel.data() + first[pixel];
-        const std::size_t size = first[pixel + 1] - first[pixel];
-        keys.resize(size);
+        std::uint64_t* keys = lists.by_pixel.data() + lists.first[pixel];
+        const std::size_t size = lists.counts[pixel];
+        // About the next pixel's layers, which this one's list leaves time to bring.
+        const std::size_t ahead = std::min(size, lists.layers.size() - lists.first[pixel] - size);
+        for (std::size_t i = 0; i < ahead; ++i) hwy::Prefetch(&layer_of(keys[size + i]));
+        std::size_t moves_left = kMovesOfLayer * size;
+        for (std::size_t i = 1; i < size; ++i) {
+            const std::uint64_t key = keys[i];
+            std::size_t at = i;
+            for (; at > 0 && key < keys[at - 1] && moves_left > 0; --at, --moves_left) {
+                keys[at] = keys[at - 1];
+            }
+            keys[at] = key;
+        }
+        if (moves_left == 0) std::sort(keys, keys + size);
         order.resize(size);
         for (std::size_t i = 0; i < size; ++i) {
-            // The next pixel's too: they follow these.
-            if (begin + i + kRunsAhead < by_pixel.data() + layers.size()) {
-                hwy::Prefetch(&runs[begin[i + kRunsAhead].run]);
-            }
-            const Layer& layer = begin[i];
-            const DepthPlane& plane = runs[layer.run].depth;
-            const auto s = static_cast<std::size_t>(std::countr_zero(layer.bits()));
-            const float depth = sample_depth_at(plane, set, layer.depth, s);
-            const std::uint64_t key = ordered_bits(depth) << 32 | i;
-            if (size <= kInsertionSortMost) {
-                insert_sorted(keys.data(), i, key);
-            } else {
-                keys[i] = key;
-            }
-        }
-        if (size > kInsertionSortMost) std::sort(keys.begin(), keys.end());
-        for (std::size_t i = 0; i < size; ++i) {
-            const Layer& layer = begin[keys[i] & 0xffffffffu];
-            order[i] = {&layer, &runs[layer.run]};
+            const Layer& layer = layer_of(keys[i]);
+            order[i] = {&layer, &lists.runs[layer.run]};
+            hwy::Prefetch(order[i].run);
         }
     }
-    static constexpr std::size_t kInsertionSortMost = 24;
-    static constexpr std::ptrdiff_t kRunsAhead = 8;
+    const Layer& layer_of(std::uint64_t key) const { return lists.layers[key & 0xffffffffu]; }
+    // Lists are nearly sorted where triangles are small; where they take more, sorting is faster.
+    static constexpr std::size_t kMovesOfLayer = 12;
 
-    // doubt[i]: lanes (bits) at which one of the layers up to i may be behind one of those after i.
-    HWY_INLINE void find_doubts(std::size_t s)
+    HWY_INLINE void find_extents(std::size_t s)
     {
         const real infinity(std::numeric_limits<float>::infinity());
         const std::size_t size = order.size();
-        nearest.resize(size * L::kCount);
         furthest.resize(size * L::kCount);
-        doubt.resize(size);
-        real so_far = real(0.0f) - infinity;
-        for (std::size_t i = 0; i < size; ++i) {
+        nearest_from.resize((size + 1) * L::kCount);
+        float* const furthest_of = furthest.data();
+        float* const nearest = nearest_from.data();
+        real from_here = infinity;
+        from_here.store(nearest + size * L::kCount);
+        for (std::size_t i = size; i-- > 0;) {
             const Placed<Layer>& item = order[i];
             const mask here = covers(*item.layer, s);
             const real depth = sample_depth<L>(item.run->depth, set, item.layer->depth, s);
             const real slack(item.run->depth.slack);
-            so_far = L::select(here, L::max(so_far, depth + slack), so_far);
-            so_far.store(&furthest[i * L::kCount]);
-            L::select(here, depth - slack, infinity).store(&nearest[i * L::kCount]);
-        }
-        real from_here = infinity;
-        for (std::size_t i = size; i-- > 0;) {
-            doubt[i] = (real::load(&furthest[i * L::kCount]) >= from_here).bits();
-            from_here = L::min(from_here, real::load(&nearest[i * L::kCount]));
+            L::select(here, depth + slack, real(0.0f) - infinity)
+                .store(furthest_of + i * L::kCount);
+            from_here = L::select(here, L::min(from_here, depth - slack), from_here);
+            from_here.store(nearest + i * L::kCount);
         }
     }
 
-    HWY_INLINE Sum composite(std::size_t s)
+    // In the common order, as long as no layer up to one may be behind any after it.
+    HWY_INLINE Sum composite(std::size_t pixel, std::size_t s)
     {
+        const std::size_t size = order.size();
+        const Placed<Layer>* const items = order.data();
+        const float* const furthest_of = furthest.data();
+        const float* const nearest_after = nearest_from.data() + L::kCount;
         Sum sum = Verbs::clear();
-        for (std::size_t i = 0; i < order.size();) {
-            const Sum before = sum;
+        real so_far = real(0.0f) - real(std::numeric_limits<float>::infinity());
+        for (std::size_t i = 0; i < size;) {
+            SumLanes lanes;
+            save(sum, lanes);
             const std::size_t begin = i;
-            std::uint32_t doubtful = 0;
+            bool doubtful;
             do {
-                doubtful |= doubt[i];
-                const Layer& layer = *order[i].layer;
+                const Layer& layer = *items[i].layer;
                 sum = Verbs::add(sum, covers(layer, s), layer);
-            } while (doubt[i++] != 0 && i < order.size());
-            if (doubtful == 0) continue;
-            SumLanes from, to;
-            save(before, from);
-            save(sum, to);
-            for (; doubtful != 0; doubtful &= doubtful - 1) {
-                const auto lane = static_cast<std::size_t>(std::countr_zero(doubtful));
-                add_sorted(begin, i, s, lane, from, to);
-            }
+                so_far = L::max(so_far, real::load(furthest_of + i * L::kCount));
+                doubtful = (so_far >= real::load(nearest_after + i * L::kCount)).any();
+            } while (++i < size && doubtful);
+            if (i - begin == 1) continue;
+            composite_precisely(begin, i, pixel, s, lanes);
             Verbs::for_each_channel(
-                sum, [&](int c, real& value) HWY_ATTR { value = real::load(to.channel[c]); });
+                sum, [&](int c, real& value) HWY_ATTR { value = real::load(lanes.channel[c]); });
         }
         return sum;
     }
 
+    // Lane by lane, which is read again as it was written: the whole at once would wait.
     static HWY_INLINE void save(const Sum& sum, SumLanes& to)
     {
         Verbs::for_each_channel(
             sum, [&](int c, const real& value) HWY_ATTR { value.store(to.channel[c]); });
     }
 
-    // Layers [begin, end) of the common order, in their precise order at sample s + lane.
-    void add_sorted(std::size_t begin, std::size_t end, std::size_t s, std::size_t lane,
-                    const SumLanes& from, SumLanes& to)
+    // Layers [begin, end) of the common order, at each sample in its own.
+    HWY_NOINLINE void composite_precisely(std::size_t begin, std::size_t end, std::size_t pixel,
+                                          std::size_t s, SumLanes& lanes)
     {
-        if (sample_order.size() < end - begin) sample_order.resize(end - begin);
-        std::size_t size = 0;
+        using Doubtful = DoubtfulLayers<L, Verbs>;
+        if (end - begin > Doubtful::kMost) {
+            for (std::size_t lane = 0; lane < L::kCount; ++lane) {
+                add_sorted(begin, end, pixel, s + lane, lane, lanes);
+            }
+            return;
+        }
+        Doubtful few;
+        for (std::size_t i = begin; i < end; ++i) {
+            const Placed<Layer>& item = order[i];
+            few.add(*item.layer, item.run->primitive, covers(*item.layer, s),
+                    DepthWords<L>(item.run->depth, set, pixel, s));
+        }
+        Sum sum = Verbs::clear();
+        Verbs::for_each_channel(
+            sum, [&](int c, real& value) HWY_ATTR { value = real::load(lanes.channel[c]); });
+        save(few.composite(sum), lanes);
+    }
+
+    void add_sorted(std::size_t begin, std::size_t end, std::size_t pixel, std::size_t s,
+                    std::size_t lane, SumLanes& sums)
+    {
+        sample_order.clear();
         for (std::size_t i = begin; i < end; ++i) {
             const Layer& layer = *order[i].layer;
-            if ((layer.bits() >> (s + lane) & 1) == 0) continue;
+            if ((layer.bits() >> s & 1) == 0) continue;
             const LayerRun& run = *order[i].run;
-            const PreciselyPlaced<Layer> item{precise_depth(run.depth, set, layer.pixel, s + lane),
-                                              run.primitive, &layer};
-            if (end - begin <= kInsertionSortMost) {
-                insert_sorted(sample_order.data(), size, item);
-            } else {
-                sample_order[size] = item;
-            }
-            ++size;
+            sample_order.push_back(
+                {precise_depth(run.depth, set, static_cast<std::uint32_t>(pixel), s), run.primitive,
+                 &layer});
         }
-        if (end - begin > kInsertionSortMost) {
-            std::sort(sample_order.data(), sample_order.data() + size);
-        }
+        std::sort(sample_order.begin(), sample_order.end());
         using One = ExactVerbs<ExactText<Lone<float>>, Layer>;
         typename One::Sum sum;
-        One::for_each_channel(sum, [&](int c, float& value) { value = from.channel[c][lane]; });
-        for (std::size_t i = 0; i < size; ++i) {
-            sum = One::add(sum, true, *sample_order[i].layer);
+        One::for_each_channel(sum, [&](int c, float& value) { value = sums.channel[c][lane]; });
+        for (const PreciselyPlaced<Layer>& item : sample_order) {
+            sum = One::add(sum, true, *item.layer);
         }
-        One::for_each_channel(sum, [&](int c, float value) { to.channel[c][lane] = value; });
+        One::for_each_channel(sum, [&](int c, float value) { sums.channel[c][lane] = value; });
     }
 
     HWY_INLINE mask covers(const Layer& layer, std::size_t s) const

@@ -28,12 +28,36 @@ struct ExactVerbs {
     using real3 = typename Text::real3;
     using Sum = typename Text::ExactSum;
     static constexpr int kChannels = 4;
+    // A layer at samples of which each may have another.
+    struct Fragment {
+        real3 color;
+        real opacity;
+    };
 
     static HWY_INLINE Sum clear() { return Text::exact_clear(); }
     static HWY_INLINE Sum add(const Sum& sum, typename Text::mask covered, const Layer& f)
     {
         return Text::exact_add(sum, covered, {real(f.red), real(f.green), real(f.blue)},
                                real(f.opacity));
+    }
+    // At samples that are not covered, light passes as if nothing were there.
+    template <class L>
+    static HWY_INLINE Fragment where(typename L::mask covered, const Layer& f)
+    {
+        return {{real(f.red), real(f.green), real(f.blue)},
+                L::zero_unless(covered, real(f.opacity))};
+    }
+    static HWY_INLINE Sum add(const Sum& sum, const Fragment& f)
+    {
+        return Text::exact_add(sum, f.opacity > real(0.0f), f.color, f.opacity);
+    }
+    template <class Visit>
+    static HWY_INLINE void for_each_number(Fragment& a, Fragment& b, Visit&& visit)
+    {
+        visit(a.color.x, b.color.x);
+        visit(a.color.y, b.color.y);
+        visit(a.color.z, b.color.z);
+        visit(a.opacity, b.opacity);
     }
     static HWY_INLINE real3 resolve(const Sum& sum, real3 behind, real& transmittance)
     {
@@ -57,6 +81,11 @@ struct ExactVerbs<Text, ColoredLayer> {
     using real3 = typename Text::real3;
     using Sum = typename Text::ExactColoredSum;
     static constexpr int kChannels = 6;
+    struct Fragment {
+        real3 color;
+        real opacity;
+        real3 through;
+    };
 
     static HWY_INLINE Sum clear() { return Text::exact_colored_clear(); }
     static HWY_INLINE Sum add(const Sum& sum, typename Text::mask covered, const ColoredLayer& f)
@@ -64,6 +93,31 @@ struct ExactVerbs<Text, ColoredLayer> {
         return Text::exact_colored_add(
             sum, covered, {real(f.red), real(f.green), real(f.blue)}, real(f.opacity),
             {real(f.through_red), real(f.through_green), real(f.through_blue)});
+    }
+    template <class L>
+    static HWY_INLINE Fragment where(typename L::mask covered, const ColoredLayer& f)
+    {
+        const real one(1.0f);
+        return {{real(f.red), real(f.green), real(f.blue)},
+                L::zero_unless(covered, real(f.opacity)),
+                {L::select(covered, real(f.through_red), one),
+                 L::select(covered, real(f.through_green), one),
+                 L::select(covered, real(f.through_blue), one)}};
+    }
+    static HWY_INLINE Sum add(const Sum& sum, const Fragment& f)
+    {
+        return Text::exact_colored_add(sum, f.opacity > real(0.0f), f.color, f.opacity, f.through);
+    }
+    template <class Visit>
+    static HWY_INLINE void for_each_number(Fragment& a, Fragment& b, Visit&& visit)
+    {
+        visit(a.color.x, b.color.x);
+        visit(a.color.y, b.color.y);
+        visit(a.color.z, b.color.z);
+        visit(a.opacity, b.opacity);
+        visit(a.through.x, b.through.x);
+        visit(a.through.y, b.through.y);
+        visit(a.through.z, b.through.z);
     }
     static HWY_INLINE real3 resolve(const Sum& sum, real3 behind, real& transmittance)
     {

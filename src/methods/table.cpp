@@ -70,7 +70,7 @@ std::span<const MethodRow> method_table()
          .citation = "Carpenter. The A-buffer, an Antialiased Hidden Surface Method. SIGGRAPH 1984",
          .continuum = {"always", "all fragments", "none", "none"},
          .parameters = {},
-         .traits = {.bytes_per_fragment = 36,
+         .traits = {.bytes_per_fragment = 38,
                     .bounded = false,
                     .any_order = kBits,
                     .merge = kBits,

@@ -36,10 +36,20 @@ inline float depth_slack(const DepthPlane& plane, double terms)
                               (static_cast<double>(depth) + static_cast<double>(change) + terms));
 }
 
-// Veltkamp's splitting: the nearest number of 53 - 21 bits.
+// At sample s of a pixel, from the depth at its centre.
+inline float sample_depth_at(const DepthPlane& plane, const SampleSet& set, float center,
+                             std::size_t s)
+{
+    const float offset = set.offset_x[s] * plane.dx + set.offset_y[s] * plane.dy;
+    return std::clamp(center + offset, plane.least, plane.most);
+}
+
+// Veltkamp's splitting: the nearest number of 53 - 21 bits is big - (big - x), big = this times x.
+inline constexpr double kSplitTo32Bits = 0x1p21 + 1;
+
 inline double round_to_32_bits(double x)
 {
-    const double big = x * (0x1p21 + 1);
+    const double big = x * kSplitTo32Bits;
     return big - (big - x);
 }
 

@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "lanes/lanes-inl.h"
+#include "lanes/wide-inl.h"
 #include "raster/depth_plane.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,7 +25,8 @@ HWY_INLINE typename L::real sample_depth_offset(const DepthPlane& plane, const S
     return x * real(plane.dx) + y * real(plane.dy);
 }
 
-// The one expression for depth at a sample: whatever compares depths compares the same bits.
+// The one expression for depth at a sample, with sample_depth_at: whatever compares depths compares
+// the same bits.
 template <class L>
 HWY_INLINE typename L::real sample_depth(const DepthPlane& plane, typename L::real offset,
                                          float center)
@@ -51,12 +52,22 @@ HWY_INLINE typename L::real depth_at_centers(const DepthPlane& plane, const floa
     return L::min(L::max(real::load(centers), real(plane.least)), real(plane.most));
 }
 
-// Of sample s alone: the same bits as in lanes.
-HWY_INLINE float sample_depth_at(const DepthPlane& plane, const SampleSet& set, float center,
-                                 std::size_t s)
+// precise_depth of samples first, first + 1, ... of a pixel of the tile: the same bits.
+template <class W>
+HWY_INLINE typename W::real precise_depths(const DepthPlane& plane, const SampleSet& set,
+                                           std::size_t pixel, std::size_t first)
 {
-    const float offset = set.offset_x[s] * plane.dx + set.offset_y[s] * plane.dy;
-    return std::clamp(center + offset, plane.least, plane.most);
+    using real = typename W::real;
+    const real x =
+        real(static_cast<double>(pixel % kTileSize)) + real::load(set.offset_x.data() + first);
+    const real y =
+        real(static_cast<double>(pixel / kTileSize)) + real::load(set.offset_y.data() + first);
+    const real depth =
+        real(plane.precise_at) + (x * real(plane.precise_dx) + y * real(plane.precise_dy));
+    const real clamped = W::min(W::max(depth, real(static_cast<double>(plane.least))),
+                                real(static_cast<double>(plane.most)));
+    const real big = clamped * real(kSplitTo32Bits);
+    return big - (big - clamped);
 }
 
 }  // namespace sheer::HWY_NAMESPACE
