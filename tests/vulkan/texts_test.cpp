@@ -46,7 +46,8 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
 {
     const Scene motor = load("builtin:motor");
     const Scene table = load(SHEER_SOURCE_DIR "/scenes/tea_table.glb");
-    for (const int samples : {1, 4, 8, 16, 64}) {
+    // Of 8 samples WithEveryParameter has lists.
+    for (const int samples : {1, 4, 64}) {
         std::vector<FragmentLists> tiles = random_lists(samples);
         tiles.push_back(lists_of_fullest_tile(motor, "motor", samples));
         tiles.push_back(lists_of_fullest_tile(table, "tea table", samples));

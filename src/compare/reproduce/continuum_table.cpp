@@ -49,6 +49,14 @@ std::vector<std::string> all_methods()
     return methods;
 }
 
+// Where leaves and wires are alpha-tested, all methods draw the same.
+Scene load_blended(const std::string& source)
+{
+    Scene scene = load(source);
+    mask_as_blend(scene);
+    return scene;
+}
+
 struct TabledScene {
     std::string title;
     std::string source;
@@ -80,7 +88,7 @@ std::vector<TabledScene> scene_files(const ReproduceJob& job)
         Options options = job.options;
         options.method = "none";
         try {
-            const Stats stats = render(load(file.path().string()), view, options).stats;
+            const Stats stats = render(load_blended(file.path().string()), view, options).stats;
             if (stats.fragments > 0) found.emplace_back(stats.fragments, file.path().string());
         } catch (const Error&) {
             // Not every file is one that can be drawn.
@@ -127,7 +135,7 @@ public:
 
     void add(const TabledScene& of)
     {
-        const Scene scene = load(of.source);
+        const Scene scene = load_blended(of.source);
         const Image exact = draw_method(scene, view_, "exact", job_.options);
         const auto compared =
             compare_methods(scene, view_, job_.options, {methods_, seeds_, 0}, exact);
@@ -198,15 +206,17 @@ void reproduce_continuum_table(const ReproduceEntry& entry, const ReproduceJob& 
     }
     Page page(entry, job);
     Tabling tabling(page, job);
-    page.say(size_text(tabling.view().width, tabling.view().height) + " pixels, " +
-             std::to_string(tabling.view().samples) +
-             " samples at their standard positions, every method with its standard parameters "
-             "where none are named; seeds of random ones: " +
-             std::to_string(tabling.seeds()) +
-             ". Errors are in linear colour times 255, over pixels, red, green and blue, against "
-             "the exact picture at the same samples. Times are this machine's, medians of one "
-             "thread's time in the store and in resolving it, by the scene's fragments; those of "
-             "rasterising and shading come on top and are alike.");
+    page.say(
+        size_text(tabling.view().width, tabling.view().height) + " pixels, " +
+        std::to_string(tabling.view().samples) +
+        " samples at their standard positions, every method with its standard parameters "
+        "where none are named; seeds of random ones: " +
+        std::to_string(tabling.seeds()) +
+        ". Errors are in linear colour times 255, over pixels, red, green and blue, against "
+        "the exact picture at the same samples. What is alpha-tested counts as transparent, with "
+        "its texture's opacities. Times are this machine's, medians of one "
+        "thread's time in the store and in resolving it, by the scene's fragments; those of "
+        "rasterising and shading come on top and are alike.");
     double done = 0;
     for (const TabledScene& scene : scenes) {
         tabling.add(scene);
