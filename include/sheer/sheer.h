@@ -22,7 +22,12 @@ struct LoadOptions {
     // Buffers, images and materials may lie outside of the folder of the file that names them. For
     // files that one trusts: a scene can then read all that its reader may.
     bool allow_any_file = false;
-    std::uint64_t most_texels = std::uint64_t{1} << 29;  // of all images: two gibibytes
+    // What a file may hold, or ask for; more is refused.
+    std::uint64_t most_texels = std::uint64_t{1} << 29;     // of all images: two gibibytes
+    std::uint64_t most_elements = std::uint64_t{1} << 28;   // of all accessors of a glTF file;
+                                                            // a 256th of those without data
+    std::uint64_t most_objects = std::uint64_t{1} << 22;    // instances counted; an OBJ's parts
+    std::uint64_t most_triangles = std::uint64_t{1} << 31;  // of a glTF, for each object anew
 };
 
 // Reads a scene. `source` is a file's path (glTF 2.0 as .gltf or .glb, .obj, .ply, .stl, or .tfx,

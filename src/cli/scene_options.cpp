@@ -24,6 +24,7 @@ OpacityRule parse_opacity(const std::string& option, const std::string& text)
     if (!(opacity >= 0 && opacity <= 1)) {
         throw Error(Fault::input, option + ": '" + number + "' is not between 0 and 1");
     }
+    if (sign == 0) throw Error(Fault::input, option + ": there is no name before the '='");
     return {has_pattern ? text.substr(0, sign) : kEverything, opacity};
 }
 
@@ -97,12 +98,18 @@ void add_scene_options(CLI::App& command, SceneOptions& given)
                   "files that you trust")
         ->disable_flag_override()
         ->group(kGroup);
-    add_value(command, "--most-texels", "N",
-              "Of all images; more are refused (" + std::to_string(given.load.most_texels) + ")",
-              [&given](auto& option, auto& text) {
-                  given.load.most_texels = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
-              })
-        ->group(kGroup);
+    const auto add_limit = [&](const char* name, const std::string& of, std::uint64_t& most) {
+        add_value(command, name, "N",
+                  of + "; more are refused (" + std::to_string(most) + ")",
+                  [&most](auto& option, auto& text) {
+                      most = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
+                  })
+            ->group(kGroup);
+    };
+    add_limit("--most-texels", "Of all images", given.load.most_texels);
+    add_limit("--most-objects", "With instances", given.load.most_objects);
+    add_limit("--most-triangles", "Of a glTF's objects", given.load.most_triangles);
+    add_limit("--most-elements", "Of a glTF's accessors", given.load.most_elements);
 }
 
 void add_override_options(CLI::App& command, SceneOptions& given)

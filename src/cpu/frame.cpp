@@ -166,9 +166,12 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     total.start();
     const std::span<const Take> takes = request.takes;
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+    const std::uint64_t scene_bytes =
+        geometry_bytes(scene, places_of(takes)) + texture_bytes(scene, wanted);
     if (options.memory_limit != 0) {
-        require_memory(options.memory_limit,
-                       geometry_bytes(scene, places_of(takes)) + texture_bytes(scene, wanted));
+        require_memory(options.memory_limit, scene_bytes);
+    } else {
+        require_machine_memory(scene_bytes);
     }
     for (const Take& take : takes) check_method(take.method, view.samples);
     const TargetSet targets = targets_of(options.simd);

@@ -52,6 +52,15 @@ void require_memory(std::uint64_t limit, std::uint64_t bytes)
     if (needed > limit) refuse(limit, needed);
 }
 
+void require_machine_memory(std::uint64_t bytes)
+{
+    const std::uint64_t machine = machine_memory_bytes();
+    const std::uint64_t needed = resident_memory_bytes() + bytes;
+    if (machine == 0 || needed <= machine) return;
+    throw Error(Fault::work, "this scene needs " + std::to_string(needed / kMiB) +
+                                 " MiB, and the machine has " + std::to_string(machine / kMiB));
+}
+
 std::uint64_t memory_needed(const MemoryNeeds& needs)
 {
     return base_bytes(needs) + std::max(least_bytes(needs), needs.pixels * kEncodedPixelBytes);

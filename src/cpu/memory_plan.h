@@ -25,6 +25,9 @@ struct MemoryPlan {
 // limit, which there is.
 void require_memory(std::uint64_t limit, std::uint64_t bytes);
 
+// The same where no limit is set, and the machine has not got as much.
+void require_machine_memory(std::uint64_t bytes);
+
 // By a process with one thread, what it has already included.
 std::uint64_t memory_needed(const MemoryNeeds& needs);
 

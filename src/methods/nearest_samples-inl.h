@@ -42,20 +42,40 @@ struct NearestSamples {
         return {real::load(at), whole::bits_of(real::load(at + samples)),
                 load_color<Text>(at + 2 * samples, samples)};
     }
-    // stochastic_insert into what lies there. Returns the depths that it keeps.
+    // stochastic_insert into what lies in memory. Returns the depths that it keeps.
     static HWY_INLINE real insert(mask taken, const Store& fragment, float* at, std::size_t samples)
+    {
+        const Change of_all = change(taken, fragment, at, samples);
+        store(of_all, fragment, at, samples);
+        return of_all.depth;
+    }
+    // The same in two steps: what comes of it, and storing that.
+    struct Change {
+        mask wins;
+        real depth;  // that is kept
+    };
+    static HWY_INLINE Change change(mask taken, const Store& fragment, const float* at,
+                                    std::size_t samples)
     {
         Store kept;
         kept.depth = real::load(at);
-        kept.id = whole::bits_of(real::load(at + samples));
-        const mask wins = Text::stochastic_wins(kept, taken, fragment);
-        const real depth = L::select(wins, fragment.depth, kept.depth);
-        depth.store(at);
-        fragment.id.as_real().store_where(wins, at + samples);
-        fragment.color.x.store_where(wins, at + 2 * samples);
-        fragment.color.y.store_where(wins, at + 3 * samples);
-        fragment.color.z.store_where(wins, at + 4 * samples);
-        return depth;
+        mask wins = taken & (fragment.depth < kept.depth);
+        // Ids decide between equal depths alone. Read for all, they would wait for what was stored
+        // in part just before.
+        if ((taken & (fragment.depth == kept.depth)).any()) {
+            kept.id = whole::bits_of(real::load(at + samples));
+            wins = Text::stochastic_wins(kept, taken, fragment);
+        }
+        return {wins, L::select(wins, fragment.depth, kept.depth)};
+    }
+    static HWY_INLINE void store(const Change& change, const Store& fragment, float* at,
+                                 std::size_t samples)
+    {
+        change.depth.store(at);
+        fragment.id.as_real().store_where(change.wins, at + samples);
+        fragment.color.x.store_where(change.wins, at + 2 * samples);
+        fragment.color.y.store_where(change.wins, at + 3 * samples);
+        fragment.color.z.store_where(change.wins, at + 4 * samples);
     }
     static HWY_INLINE void save(const Store& s, float* at, std::size_t samples)
     {

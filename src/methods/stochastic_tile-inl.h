@@ -141,22 +141,42 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
         for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
             offset[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
         }
-        typename Text::StochasticStore fragment;
-        fragment.id = typename L::whole(run.primitive);
-        for (; masks.number(k) < end; ++k) {
-            const std::size_t i = masks.number(k), pixel = pixels[i];
-            fragment.color = {real(red[i]), real(green[i]), real(blue[i])};
-            real most;
+        const typename L::whole id(run.primitive);
+        // No two of them are in one pixel: what is stored for the first is not read for the next.
+        constexpr std::size_t kAtOnce = 2;
+        const auto insert_some = [&](auto count) HWY_ATTR {
+            std::size_t i[count], pixel[count];
+            for (std::size_t c = 0; c < count; ++c) {
+                i[c] = masks.number(k + c);
+                pixel[c] = pixels[i[c]];
+            }
+            real most[count];
             for (std::size_t b = 0; b < kBlocks<Samples>; ++b) {
                 const std::size_t s = b * L::kCount;
-                const auto taken = L::mask_of_bits(masks.word(k, s));
-                fragment.depth = sample_depth<L>(plane, offset[b], depth[i]);
-                float* at = stores + (Method::kChannels * pixel * Samples + s);
-                const real left = Method::insert(taken, fragment, at, Samples);
-                most = b == 0 ? left : L::max(most, left);
+                typename Text::StochasticStore fragment[count];
+                typename Method::Change change[count];
+                const auto at = [&](std::size_t c) HWY_ATTR {
+                    return stores + (Method::kChannels * pixel[c] * Samples + s);
+                };
+                for (std::size_t c = 0; c < count; ++c) {
+                    const std::size_t n = i[c];
+                    fragment[c] = {sample_depth<L>(plane, offset[b], depth[n]), id,
+                                   {real(red[n]), real(green[n]), real(blue[n])}};
+                    change[c] = Method::change(L::mask_of_bits(masks.word(k + c, s)), fragment[c],
+                                               at(c), Samples);
+                    most[c] = b == 0 ? change[c].depth : L::max(most[c], change[c].depth);
+                }
+                for (std::size_t c = 0; c < count; ++c) {
+                    Method::store(change[c], fragment[c], at(c), Samples);
+                }
             }
-            far[pixel] = most.greatest();
+            for (std::size_t c = 0; c < count; ++c) far[pixel[c]] = most[c].greatest();
+            k += count;
+        };
+        while (masks.number(k) < end && masks.number(k + 1) < end) {
+            insert_some(std::integral_constant<std::size_t, kAtOnce>());
         }
+        while (masks.number(k) < end) insert_some(std::integral_constant<std::size_t, 1>());
         return k;
     }
 

@@ -38,15 +38,6 @@ float linear_color(double encoded)
     return static_cast<float>(linear_from_srgb(encoded > 0 ? std::min(encoded, 1.0) : 0));
 }
 
-void add_fan(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon)
-{
-    for (std::size_t i = 2; i < polygon.size(); ++i) {
-        indices.push_back(polygon[0]);
-        indices.push_back(polygon[i - 1]);
-        indices.push_back(polygon[i]);
-    }
-}
-
 void place_mesh(Scene& scene, Mesh mesh)
 {
     Object object;

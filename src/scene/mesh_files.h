@@ -24,9 +24,6 @@ Material plain_material(const std::string& name, bool colored_vertices, Topology
 // are clamped.
 float linear_color(double encoded);
 
-// Adds the triangles of a polygon around its first corner.
-void add_fan(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon);
-
 // Adds the mesh, and one object of its name that places it where it is.
 void place_mesh(Scene& scene, Mesh mesh);
 

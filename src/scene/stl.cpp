@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "scene/gltf/notes.h"
 #include "scene/mesh_files.h"
+#include "scene/polygon.h"
 #include "scene/text_scanner.h"
 #include "scene/triple_table.h"
 
@@ -64,6 +66,7 @@ void read_binary(const std::string& path, const Bytes& content, Scene& scene)
     }
     Welder welder;
     welder.indices.reserve(3 * static_cast<std::size_t>(count));
+    std::size_t spare = 0;
     for (std::size_t t = 0; t < count; ++t) {
         const std::size_t at = kHeaderSize + kTriangleSize * t + kFirstCorner;
         for (std::size_t corner = 0; corner < 3; ++corner) {
@@ -77,8 +80,16 @@ void read_binary(const std::string& path, const Bytes& content, Scene& scene)
             }
             welder.indices.push_back(welder.vertex_at(p));
         }
+        const std::uint8_t* end = &content[at] + kTriangleSize - kFirstCorner;
+        spare += end[-2] != 0 || end[-1] != 0;
     }
     if (count > 0) place_mesh(scene, welder.to_mesh(name_of_file(path)));
+    gltf::Notes notes;
+    // Some writers keep colours in the spare bytes, and one for all in the header.
+    notes.add("triangles with spare bytes, which may be colours", "not read", spare);
+    const std::string_view header = as_text(content).substr(0, kHeaderSize - 4);
+    if (header.find("COLOR=") != header.npos) notes.add("colour in the header", "not read");
+    scene.ignored = notes.lines();
 }
 
 std::string in_small_letters(std::string_view word)
@@ -107,10 +118,12 @@ public:
                 Float3 p;
                 for (float& x : p) x = line_.number();
                 polygon_.push_back(welder_.vertex_at(p));
+                corners_.push_back(p);
             } else if (word == "endloop") {
                 if (polygon_.size() < 3) line_.fail("a loop of fewer than 3 vertices");
-                add_fan(welder_.indices, polygon_);
+                cutter_.add(welder_.indices, polygon_, corners_);
                 polygon_.clear();
+                corners_.clear();
             } else if (word == "endsolid") {
                 end_solid();
             } else if (word != "facet" && word != "endfacet" && word != "outer" && !word.empty()) {
@@ -119,6 +132,9 @@ public:
         }
         if (!polygon_.empty()) line_.fail("the file is cut short");
         end_solid();
+        gltf::Notes notes;
+        notes.add(kUncutPolygons, kUncutBecause, cutter_.uncut());
+        scene_.ignored = notes.lines();
     }
 
 private:
@@ -137,14 +153,20 @@ private:
     std::string file_name_, name_;
     Welder welder_;
     std::vector<std::uint32_t> polygon_;
+    std::vector<Float3> corners_;  // of the polygon
+    PolygonCutter cutter_;
 };
 
 }  // namespace
 
 bool is_binary_stl(const Bytes& content)
 {
-    return content.size() >= kHeaderSize &&
-           content.size() == kHeaderSize + kTriangleSize * triangle_count(content);
+    if (content.size() < kHeaderSize) return false;
+    const std::uint64_t size = kHeaderSize + kTriangleSize * triangle_count(content);
+    // Bytes may follow the triangles, but no text has a zero before its first facet.
+    const auto end = content.begin() + kHeaderSize;
+    return content.size() == size ||
+           (content.size() > size && std::find(content.begin(), end, 0) != end);
 }
 
 Scene read_stl(const std::string& path, const Bytes& content)

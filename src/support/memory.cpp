@@ -16,16 +16,21 @@ namespace sheer {
 
 namespace {
 
-// A line of /proc/self/status; 0 without one.
-std::uint64_t status_bytes(const std::string& name)
+// A line of a file below /proc; 0 without one.
+std::uint64_t bytes_in(const char* path, const std::string& name)
 {
-    std::ifstream status("/proc/self/status");
-    for (std::string word; status >> word;) {
+    std::ifstream lines(path);
+    for (std::string word; lines >> word;) {
         std::uint64_t kibibytes = 0;
-        if (word == name && status >> kibibytes) return kibibytes * 1024;
-        status.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
+        if (word == name && lines >> kibibytes) return kibibytes * 1024;
+        lines.ignore(std::numeric_limits<std::streamsize>::max(), '\n');
     }
     return 0;
+}
+
+std::uint64_t status_bytes(const std::string& name)
+{
+    return bytes_in("/proc/self/status", name);
 }
 
 }  // namespace
@@ -46,6 +51,12 @@ std::uint64_t peak_memory_bytes()
 std::uint64_t resident_memory_bytes()
 {
     return status_bytes("VmRSS:");
+}
+
+std::uint64_t machine_memory_bytes()
+{
+    constexpr const char* kFile = "/proc/meminfo";
+    return bytes_in(kFile, "MemTotal:") + bytes_in(kFile, "SwapTotal:");
 }
 
 void release_free_memory()

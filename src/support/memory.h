@@ -11,6 +11,9 @@ std::uint64_t peak_memory_bytes();
 // The resident size now, of the whole process; 0 where the system does not tell.
 std::uint64_t resident_memory_bytes();
 
+// Of the machine, with what it swaps to; 0 where the system does not tell.
+std::uint64_t machine_memory_bytes();
+
 // Gives what is free, but kept by the allocator, back to the system, where that can be asked for.
 void release_free_memory();
 

@@ -174,10 +174,27 @@ TEST(Mtl, ImagesOfOpacity)
     EXPECT_EQ(texels("map_d grey.png\n"),
               (std::vector<Texel>{{255, 255, 255, 0}, {255, 255, 255, 51}}));
     EXPECT_EQ(texels("map_Kd color.png\nmap_d color.png\n"), (std::vector<Texel>{kOpaque, kHalf}));
-    const Scene other = scenery.read("map_Kd color.png\nmap_d large.png\n");
-    EXPECT_EQ(other.ignored,
-              (std::vector<std::string>{"images of opacity of another size than those of colour: "
-                                        "1, drawn without them"}));
+}
+
+// Four texels from one of colour and four of opacity, and from two of colour and one of opacity.
+TEST(Mtl, AnImageOfOpacityMayHaveAnotherSize)
+{
+    const Scenery scenery;
+    scenery.write_png("one.png", {{10, 20, 30, 255}});
+    scenery.write_png("grey.png", {{0, 0, 0, 255}, {51, 51, 51, 255}, {9, 9, 9, 255}});
+    scenery.write_png("half.png", {{128, 128, 128, 255}});
+    scenery.write_png("color.png", {kOpaque, kHalf});
+    const auto texels = [&](const std::string& mtl) {
+        const Scene scene = scenery.read(mtl);
+        EXPECT_TRUE(scene.ignored.empty());
+        EXPECT_EQ(scene.materials[0].alpha_mode, AlphaMode::blend);
+        return scene.images.at(scene.materials[0].base_color_texture->image).texels;
+    };
+    EXPECT_EQ(texels("map_Kd one.png\nmap_d grey.png\n"),
+              (std::vector<Texel>{{10, 20, 30, 0}, {10, 20, 30, 51}, {10, 20, 30, 9}}));
+    // 255 * 128 / 255 and 128 * 128 / 255 = 64.25.
+    EXPECT_EQ(texels("map_Kd color.png\nmap_d half.png\n"),
+              (std::vector<Texel>{{10, 20, 30, 128}, {70, 80, 90, 64}}));
 }
 
 TEST(Mtl, WhatIsNotDrawnIsNoted)
@@ -188,10 +205,10 @@ TEST(Mtl, WhatIsNotDrawnIsNoted)
         scenery.read("map_Kd gone.png\nmap_Ke a.tga\nmap_Bump a.tga\nKs spectral a.rfl\n");
     EXPECT_EQ(scene.ignored,
               (std::vector<std::string>{"colours given as spectral: 1, not read",
+                                        "image 'gone.png', which is not in the file's folder: 1, "
+                                        "drawn without it",
                                         "images that are neither PNG nor JPEG: 1, drawn without "
                                         "them",
-                                        "images that are not in the file's folder: 1, drawn "
-                                        "without them",
                                         "materials with map_Bump: 1, drawn without it"}));
     EXPECT_TRUE(scene.images.empty());
 }
@@ -204,14 +221,15 @@ TEST(Mtl, NothingOutsideOfTheFolderIsRead)
     scenery.write("a.mtl", "newmtl m\nmap_Kd " + scenery.path() + "/a.png\n");
     const std::string path = scenery.path() + "/inner/b.obj";
     EXPECT_EQ(read_obj(path, read_file(path)).ignored,
-              (std::vector<std::string>{"material libraries that are not in the file's folder: 1, "
-                                        "drawn without them",
+              (std::vector<std::string>{"material library '../a.mtl', which is not in the file's "
+                                        "folder: 1, drawn without it",
                                         "materials that no library has: 1, drawn grey"}));
     scenery.write("inner/a.mtl", "newmtl m\nmap_Kd " + scenery.path() + "/a.png\n");
     const Scene scene = read_obj(path, read_file(path));
     EXPECT_EQ(scene.ignored,
-              (std::vector<std::string>{"images that are not in the file's folder: 1, drawn "
-                                        "without them"}));
+              (std::vector<std::string>{"image '" + (scenery.path() + "/a.png").substr(0, 60) +
+                                        "', which is not in the file's folder: 1, drawn without "
+                                        "it"}));
     EXPECT_EQ(scene.materials[0].shading, Shading::metallic_roughness);
     // Links count for where they lead.
     scenery.write("inner/a.mtl", "newmtl m\nmap_Kd link.png\n");

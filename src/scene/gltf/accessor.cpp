@@ -14,8 +14,7 @@ namespace sheer::gltf {
 
 namespace {
 
-constexpr std::uint64_t kMaxElements = std::uint64_t{1} << 28;
-constexpr std::uint64_t kMaxElementsWithoutData = std::uint64_t{1} << 24;
+constexpr std::uint64_t kPartWithoutData = 256;  // of LoadOptions::most_elements
 
 std::size_t size_of(ComponentType type)
 {
@@ -157,8 +156,11 @@ Accessor describe_accessor(Import& import, const Value& reference)
     const Value value = import.document.item("accessors", reference);
     Accessor accessor{value};
     const std::uint64_t count = value.member("count").whole();
-    import.elements += std::min(count, kMaxElements + 1);
-    if (import.elements > kMaxElements) value.fail("more elements than Sheer reads (2^28)");
+    const std::uint64_t most = import.options.most_elements;
+    if (count > most || import.elements + count > most) {
+        value.fail("more elements than --most-elements allows (" + std::to_string(most) + ")");
+    }
+    import.elements += count;
     accessor.count = static_cast<std::size_t>(count);
     accessor.width = read_width(value.member("type"));
     accessor.component = read_component_type(value.member("componentType"));
@@ -178,9 +180,11 @@ Accessor open_accessor(Import& import, const Value& reference)
         accessor.elements =
             locate(import, value, {count, size_of(accessor.component) * accessor.width});
     } else {
+        const std::uint64_t most = import.options.most_elements / kPartWithoutData;
         import.elements_without_data += count;
-        if (import.elements_without_data > kMaxElementsWithoutData) {
-            value.fail("more elements without a bufferView than Sheer reads (2^24)");
+        if (import.elements_without_data > most) {
+            value.fail("more elements without a bufferView than a 256th of --most-elements (" +
+                       std::to_string(most) + ")");
         }
     }
     if (const auto sparse = value.find("sparse")) open_sparse(import, *sparse, accessor);

@@ -36,8 +36,7 @@ void set(std::array<double, N>& to, const std::vector<std::array<float, N>>& fro
 
 }  // namespace
 
-std::optional<std::vector<Matrix>> read_instances(Import& import, const Value& node,
-                                                  std::size_t most)
+std::optional<std::vector<Matrix>> read_instances(Import& import, const Value& node)
 {
     const auto instancing = extension(node, "EXT_mesh_gpu_instancing");
     if (!instancing) return std::nullopt;
@@ -46,9 +45,14 @@ std::optional<std::vector<Matrix>> read_instances(Import& import, const Value& n
     const auto translations = read_attribute<3>(import, attributes, "TRANSLATION", count);
     const auto rotations = read_attribute<4>(import, attributes, "ROTATION", count);
     const auto scales = read_attribute<3>(import, attributes, "SCALE", count);
-    if (!count) attributes.fail("has none of TRANSLATION, ROTATION and SCALE");
-    if (*count > most) {
-        attributes.fail("more instances than Sheer reads (" + std::to_string(most) + ")");
+    // Where there are others alone, for shaders of the file's author, they say how many.
+    for (const std::string& name : attributes.keys()) {
+        if (!count) count = open_accessor(import, attributes.member(name)).count;
+    }
+    if (!count) attributes.fail("names no attribute");
+    if (*count > import.options.most_objects) {
+        attributes.fail("more instances than --most-objects allows (" +
+                        std::to_string(import.options.most_objects) + ")");
     }
     std::vector<Matrix> instances;
     for (std::size_t i = 0; i < *count; ++i) {

@@ -9,9 +9,8 @@
 
 namespace sheer::gltf {
 
-// Where each of the node's copies stands, seen from the node; at most `most`. Nothing where the
-// node is not one of many.
-std::optional<std::vector<Matrix>> read_instances(Import& import, const Value& node,
-                                                  std::size_t most);
+// Where each of the node's copies stands, seen from the node; at most LoadOptions::most_objects.
+// Nothing where the node is not one of many.
+std::optional<std::vector<Matrix>> read_instances(Import& import, const Value& node);
 
 }  // namespace sheer::gltf

@@ -15,9 +15,6 @@ namespace sheer::gltf {
 
 namespace {
 
-constexpr std::size_t kMaxObjects = std::size_t{1} << 22;
-constexpr std::uint64_t kMaxCorners = 3 * (std::uint64_t{1} << 31);  // with instances
-
 using MeshNumbers = std::vector<std::uint32_t>;  // in Scene::meshes, one for each primitive
 
 Mat4 require_float(const Value& node, const Matrix& world)
@@ -28,24 +25,33 @@ Mat4 require_float(const Value& node, const Matrix& world)
 
 class ObjectLimits {
 public:
+    explicit ObjectLimits(const LoadOptions& options) : options_(options) {}
+
     void count(const Value& node, const Mesh& mesh)
     {
-        if (++objects_ > kMaxObjects) node.fail("more objects than Sheer reads (2^22)");
-        corners_ += mesh.indices.size();
-        if (corners_ > kMaxCorners) {
-            node.fail("more triangles than Sheer draws (2^31, each node's counted)");
+        if (++objects_ > options_.most_objects) {
+            node.fail("more objects than --most-objects allows (" +
+                      std::to_string(options_.most_objects) + ")");
+        }
+        triangles_ += mesh.indices.size() / 3;
+        if (triangles_ > options_.most_triangles) {
+            node.fail("more triangles, each node's counted, than --most-triangles allows (" +
+                      std::to_string(options_.most_triangles) + ")");
         }
     }
 
 private:
-    std::size_t objects_ = 0;
-    std::uint64_t corners_ = 0;
+    const LoadOptions& options_;
+    std::uint64_t objects_ = 0;
+    std::uint64_t triangles_ = 0;
 };
 
 class Objects {
 public:
     Objects(Import& import, const std::vector<PlacedNode>& nodes)
-        : import_(import), worlds_(import.document.count("nodes"), nullptr)
+        : import_(import),
+          worlds_(import.document.count("nodes"), nullptr),
+          limits_(import.options)
     {
         for (const PlacedNode& placed : nodes) worlds_[placed.number] = &placed.world;
     }
@@ -56,7 +62,7 @@ public:
         const auto reference = node.find("mesh");
         if (!reference) return;
         const std::size_t mesh = import_.document.index_in("meshes", *reference);
-        const auto instances = read_instances(import_, node, kMaxObjects);
+        const auto instances = read_instances(import_, node);
         if (const Skin* skin = skin_of(node)) {
             if (instances) import_.notes.add("nodes with a skin and instances", "drawn once");
             Shape shape = {morph_weights(import_.document.item("meshes", mesh), node), skin,

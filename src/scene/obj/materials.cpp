@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "image/decode_texture.h"
+#include "image/resample.h"
+#include "scene/gltf/value.h"
 #include "scene/mesh_files.h"
 #include "support/lies_below.h"
 
@@ -16,6 +18,7 @@ namespace sheer::obj {
 namespace {
 
 constexpr float kBrightest = 1e6f;  // what scenes may hold
+constexpr std::size_t kMostShown = 60;  // of a name
 
 bool is_black(const Float3& color)
 {
@@ -39,6 +42,12 @@ std::array<float, 6> transform_of(const Map& map)
     return {map.scale[0], 0, map.offset[0], 0, map.scale[1], 1 - map.scale[1] - map.offset[1]};
 }
 
+TextureImage with_size(const TextureImage& image, int width, int height)
+{
+    const bool same = image.width == width && image.height == height;
+    return same ? image : enlarged(image, width, height);
+}
+
 // An image of opacity has it in its alpha, or, if that is 255 everywhere, in its grey.
 std::uint32_t opacity_at(const TextureImage& image, bool in_alpha, std::size_t i)
 {
@@ -47,6 +56,8 @@ std::uint32_t opacity_at(const TextureImage& image, bool in_alpha, std::size_t i
 }
 
 }  // namespace
+
+namespace {
 
 std::optional<std::string> find_file(const std::string& base, std::string name, bool anywhere)
 {
@@ -64,9 +75,19 @@ std::optional<std::string> find_file(const std::string& base, std::string name, 
     return std::nullopt;
 }
 
-Materials::Materials(std::string base, const LoadOptions& options, Scene& scene, gltf::Notes& notes)
+}  // namespace
+
+const std::optional<std::string>& FileFinder::find(const std::string& name)
+{
+    const auto [entry, is_new] = known_.try_emplace(name);
+    if (is_new) entry->second = find_file(base_, name, anywhere_);
+    return entry->second;
+}
+
+Materials::Materials(std::string base, const LoadOptions& options, FileFinder& finder, Scene& scene,
+                     gltf::Notes& notes)
     : base_(std::move(base)),
-      options_(options),
+      finder_(finder),
       scene_(scene),
       notes_(notes),
       texels_left_(options.most_texels)
@@ -89,11 +110,11 @@ std::uint32_t Materials::add(TextureImage image)
 
 std::optional<std::uint32_t> Materials::load(const std::string& name)
 {
-    const std::optional<std::string> path = find_file(base_, name, options_.allow_any_file);
+    const std::optional<std::string> path = finder_.find(name);
     if (!path) {
-        notes_.add(options_.allow_any_file ? "images that are not there"
-                                           : "images that are not in the file's folder",
-                   "drawn without them");
+        notes_.add("image '" + gltf::in_one_line(name, kMostShown) + "', which is " +
+                       finder_.where_not(),
+                   "drawn without it");
         return std::nullopt;
     }
     if (const auto known = loaded_.find(*path); known != loaded_.end()) return known->second;
@@ -109,37 +130,29 @@ std::optional<std::uint32_t> Materials::load(const std::string& name)
     return number;
 }
 
-// The image of colour, or white, with the opacity of the other.
-std::optional<std::uint32_t> Materials::with_opacity(std::optional<std::uint32_t> color,
-                                                     std::uint32_t opacity)
+// The image of colour, or white, with the opacity of the other. The smaller one is enlarged.
+std::uint32_t Materials::with_opacity(std::optional<std::uint32_t> color, std::uint32_t opacity)
 {
-    if (color == opacity) return color;
+    if (color == opacity) return opacity;
     const std::pair<std::int64_t, std::uint32_t> key(color ? std::int64_t{*color} : -1, opacity);
     if (const auto known = combined_.find(key); known != combined_.end()) return known->second;
     const TextureImage& mask = scene_.images[opacity];
-    TextureImage image;
-    if (color) {
-        const TextureImage& base = scene_.images[*color];
-        if (base.width != mask.width || base.height != mask.height) {
-            notes_.add("images of opacity of another size than those of colour",
-                       "drawn without them");
-            return color;
-        }
-    }
-    if (mask.texels.size() > texels_left_) {
+    const TextureImage& base = scene_.images[color.value_or(opacity)];
+    const int width = std::max(base.width, mask.width);
+    const int height = std::max(base.height, mask.height);
+    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > texels_left_) {
         fail_in_file(base_, "its images have more texels than --most-texels allows");
     }
-    if (color) {
-        image = scene_.images[*color];
-    } else {
-        image = mask;
+    TextureImage image = with_size(base, width, height);
+    if (!color) {
         std::fill(image.texels.begin(), image.texels.end(),
                   std::array<std::uint8_t, 4>{255, 255, 255, 255});
     }
+    const TextureImage opacities = with_size(mask, width, height);
     const bool in_alpha = alphas_[opacity] != Alpha::opaque;
     for (std::size_t i = 0; i < image.texels.size(); ++i) {
         std::uint8_t& alpha = image.texels[i][3];
-        alpha = static_cast<std::uint8_t>((alpha * opacity_at(mask, in_alpha, i) + 127) / 255);
+        alpha = static_cast<std::uint8_t>((alpha * opacity_at(opacities, in_alpha, i) + 127) / 255);
     }
     return combined_[key] = add(std::move(image));
 }
@@ -160,10 +173,10 @@ std::optional<Texture> Materials::base_color_texture(const MtlMaterial& mtl)
     std::optional<Texture> color = mtl.map_kd ? texture(*mtl.map_kd) : std::nullopt;
     std::optional<Texture> opacity = mtl.map_d ? texture(*mtl.map_d) : std::nullopt;
     if (!opacity) return color;
-    const auto image =
+    const std::uint32_t image =
         with_opacity(color ? std::optional(color->image) : std::nullopt, opacity->image);
     if (!color) color = opacity;
-    color->image = *image;
+    color->image = image;
     return color;
 }
 

@@ -13,15 +13,29 @@
 
 namespace sheer::obj {
 
-// The path of the file that `name` means, seen from the one at `base`: only if it is there, and
-// below base's folder unless it may be `anywhere`. Where the name leads out of it, to places on the
-// writer's machine most often, its last part is looked for in the folder.
-std::optional<std::string> find_file(const std::string& base, std::string name, bool anywhere);
+// Where the files are that one at `base` names. Every name is looked up once.
+class FileFinder {
+public:
+    FileFinder(std::string base, bool anywhere) : base_(std::move(base)), anywhere_(anywhere) {}
+
+    // Only if it is there, and below base's folder unless it may be anywhere. Where the name leads
+    // out of it, to places on the writer's machine most often, its last part is looked for in the
+    // folder.
+    const std::optional<std::string>& find(const std::string& name);
+    // Where what is not found is not: for notes.
+    std::string where_not() const { return anywhere_ ? "not there" : "not in the file's folder"; }
+
+private:
+    std::string base_;
+    bool anywhere_;
+    std::map<std::string, std::optional<std::string>> known_;
+};
 
 class Materials {
 public:
-    // Files are looked for from the folder of `base`.
-    Materials(std::string base, const LoadOptions& options, Scene& scene, gltf::Notes& notes);
+    // `base`: the file's path, for complaints. All outlive this.
+    Materials(std::string base, const LoadOptions& options, FileFinder& finder, Scene& scene,
+              gltf::Notes& notes);
 
     Material make(const std::string& name, const MtlMaterial& mtl);
 
@@ -29,14 +43,13 @@ private:
     enum class Alpha { opaque, cutout, smooth };  // none below 255, 0 and 255 only, others
 
     std::optional<std::uint32_t> load(const std::string& name);
-    std::optional<std::uint32_t> with_opacity(std::optional<std::uint32_t> color,
-                                              std::uint32_t opacity);
+    std::uint32_t with_opacity(std::optional<std::uint32_t> color, std::uint32_t opacity);
     std::uint32_t add(TextureImage image);
     std::optional<Texture> texture(const Map& map);
     std::optional<Texture> base_color_texture(const MtlMaterial& mtl);
 
     std::string base_;
-    const LoadOptions& options_;
+    FileFinder& finder_;
     Scene& scene_;
     gltf::Notes& notes_;
     std::uint64_t texels_left_;

@@ -1,10 +1,11 @@
-// Statement by statement. What changes no picture here (Ka, Ni, illum, Tf) is passed over.
+// Statement by statement.
 #include "scene/obj/mtl.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
 
+#include "scene/gltf/value.h"
 #include "scene/text_scanner.h"
 
 namespace sheer::obj {
@@ -98,6 +99,12 @@ float read_opacity(TextScanner& line)
     return std::clamp(line.to_number(word), 0.0f, 1.0f);
 }
 
+// Light from all sides, refraction and old models of light have no part in these pictures.
+bool changes_nothing(std::string_view word)
+{
+    return word == "Ka" || word == "Ni" || word == "illum" || word.starts_with('#');
+}
+
 void read_statement(std::string_view word, TextScanner& line, MtlMaterial& material,
                     gltf::Notes& notes)
 {
@@ -125,8 +132,12 @@ void read_statement(std::string_view word, TextScanner& line, MtlMaterial& mater
         material.map_ke = read_map(line);
     } else if (word == "norm") {
         material.norm = read_map(line);
-    } else if (word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal") {
-        notes.add("materials with " + std::string(word.substr(0, 20)), "drawn without it");
+    } else if (word == "Tf") {
+        // Writers give it to all materials, and mean nothing by white.
+        const std::optional<Float3> filter = read_color(line, notes);
+        if (filter != Float3{1, 1, 1}) notes.add("materials with Tf", "drawn without it");
+    } else if (!word.empty() && !changes_nothing(word)) {
+        notes.add("materials with " + gltf::in_one_line(word, 20), "drawn without it");
     }
 }
 

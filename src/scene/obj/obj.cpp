@@ -11,10 +11,12 @@
 #include <utility>
 
 #include "scene/gltf/notes.h"
+#include "scene/gltf/value.h"
 #include "scene/mesh_files.h"
 #include "scene/obj/materials.h"
 #include "scene/obj/mtl.h"
 #include "scene/obj/parts.h"
+#include "scene/polygon.h"
 #include "scene/text_scanner.h"
 
 namespace sheer {
@@ -22,8 +24,7 @@ namespace sheer {
 namespace obj {
 namespace {
 
-// A mesh costs hundreds of bytes, and a name for it only a few of the file's.
-constexpr std::size_t kMostParts = 1'000'000;
+constexpr std::size_t kMostShown = 60;  // of a name
 
 // The vertex that a position was made last, and the part that it was made in.
 struct Latest {
@@ -33,7 +34,10 @@ struct Latest {
 class Reader {
 public:
     Reader(const std::string& path, const Bytes& content, const LoadOptions& options)
-        : path_(path), options_(options), line_(path, as_text(content), LineJoin::backslash)
+        : path_(path),
+          options_(options),
+          line_(path, as_text(content), LineJoin::backslash),
+          finder_(path, options.allow_any_file)
     {
         key_.name = name_of_file(path);
     }
@@ -47,6 +51,7 @@ public:
             place_parts();
         }
         if (scene_.meshes.empty()) fail_in_file(path_, "the file holds nothing that can be drawn");
+        notes_.add(kUncutPolygons, kUncutBecause, cutter_.uncut());
         scene_.ignored = notes_.lines();
         return std::move(scene_);
     }
@@ -180,7 +185,12 @@ private:
         Part& faces = part(Topology::triangles);
         read_corners(faces);
         if (polygon_.size() < 3) notes_.add("faces of fewer than 3 corners", "not drawn");
-        add_fan(faces.indices, polygon_);
+        corners_.clear();
+        for (const std::uint32_t vertex : polygon_) {
+            if (polygon_.size() <= 3) break;  // nothing to cut
+            corners_.push_back(attributes_.positions[faces.corners.triples()[vertex][0] - 1]);
+        }
+        cutter_.add(faces.indices, polygon_, corners_);
     }
 
     void read_line()
@@ -206,7 +216,7 @@ private:
     void read_libraries()
     {
         const std::string all(line_.rest());
-        if (find_file(path_, all, options_.allow_any_file)) return read_library(all);
+        if (finder_.find(all)) return read_library(all);
         std::string_view rest = all;
         while (!rest.empty()) {
             const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
@@ -217,12 +227,13 @@ private:
 
     void read_library(const std::string& name)
     {
-        const std::optional<std::string> path = find_file(path_, name, options_.allow_any_file);
+        const std::optional<std::string> path = finder_.find(name);
         if (!path) {
-            notes_.add(options_.allow_any_file
-                           ? "material libraries that are not there"
-                           : "material libraries that are not in the file's folder",
-                       "drawn without them");
+            if (missing_.insert(name).second) {
+                notes_.add("material library '" + gltf::in_one_line(name, kMostShown) +
+                               "', which is " + finder_.where_not(),
+                           "drawn without it");
+            }
         } else if (libraries_.insert(*path).second) {
             read_mtl(*path, read_file(*path), library_, notes_);
         }
@@ -235,7 +246,10 @@ private:
         if (!current) {
             key_.topology = topology;
             current = parts_.number_of(key_);
-            if (parts_.size() > kMostParts) line_.fail("more than 1,000,000 names and materials");
+            if (parts_.size() > options_.most_objects) {
+                line_.fail("more names and materials than --most-objects allows (" +
+                           std::to_string(options_.most_objects) + ")");
+            }
         }
         return parts_.all()[*current];
     }
@@ -263,7 +277,7 @@ private:
 
     void place_parts()
     {
-        Materials materials(path_, options_, scene_, notes_);
+        Materials materials(path_, options_, finder_, scene_, notes_);
         for (Part& p : parts_.all()) {
             if (p.indices.empty()) continue;
             Mesh mesh = to_mesh(p, attributes_, notes_);
@@ -299,7 +313,10 @@ private:
     bool has_objects_ = false;
     std::vector<Latest> latest_;  // by position
     std::vector<std::uint32_t> polygon_;
-    std::set<std::string> libraries_;  // read already
+    std::vector<Float3> corners_;  // of the polygon
+    PolygonCutter cutter_;
+    FileFinder finder_;
+    std::set<std::string> libraries_, missing_;  // read already; not found
     Library library_;
     std::map<std::pair<std::string, bool>, std::uint32_t> material_numbers_;
 };

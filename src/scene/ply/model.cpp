@@ -6,6 +6,7 @@
 
 #include "scene/mesh_files.h"
 #include "scene/ply/values.h"
+#include "scene/polygon.h"
 #include "scene/text_scanner.h"
 
 namespace sheer::ply {
@@ -158,14 +159,22 @@ void read_faces(Source& source, const Element& element, Model& model)
     // Exact where all are triangles, as nearly always.
     model.faces.indices.reserve(3 * static_cast<std::size_t>(element.count));
     Values values;
+    PolygonCutter cutter;
+    std::vector<Float3> corners;
+    const std::vector<Float3>& positions = model.faces.positions;
     for (std::uint64_t i = 0; i < element.count; ++i) {
         values.list.clear();
         read_row(source, element, model, values);
+        corners.clear();
         for (const std::uint32_t vertex : values.list) {
             if (vertex == kNoVertex) source.fail("a vertex that does not exist");
+            if (values.list.size() <= 3) continue;  // nothing to cut
+            // Where a file has faces before vertices, they become fans.
+            corners.push_back(vertex < positions.size() ? positions[vertex] : Float3{});
         }
-        add_fan(model.faces.indices, values.list);
+        cutter.add(model.faces.indices, values.list, corners);
     }
+    model.uncut = cutter.uncut();
 }
 
 // Every second triangle of a strip turns the other way. Repeated vertices are how strips are bent.

@@ -17,6 +17,7 @@ struct Model {
     bool transparent = false;  // a vertex is
     Mesh faces;                // with the vertices
     std::vector<std::uint32_t> lines;
+    std::size_t uncut = 0;  // PolygonCutter::uncut
 };
 
 // Throws as read_ply does.

@@ -7,9 +7,11 @@
 #include "scene/gltf/directions.h"
 #include "scene/gltf/notes.h"
 #include "scene/gltf/topology.h"
+#include "scene/gltf/value.h"
 #include "scene/mesh_files.h"
 #include "scene/ply/header.h"
 #include "scene/ply/model.h"
+#include "scene/polygon.h"
 #include "scene/text_scanner.h"
 
 namespace sheer {
@@ -47,7 +49,34 @@ Mesh edges_of(const Mesh& mesh, std::vector<std::uint32_t> lines)
     return edges;
 }
 
-Scene to_scene(const std::string& path, Model model)
+bool is_known(const Element& element)
+{
+    for (const char* name : {"vertex", "face", "tristrips", "edge"}) {
+        if (element.name == name) return true;
+    }
+    return false;
+}
+
+void note_what_is_skipped(const Header& header, gltf::Notes& notes)
+{
+    constexpr std::size_t kMostShown = 40;  // of a name
+    for (const Element& element : header.elements) {
+        const std::string name = gltf::in_one_line(element.name, kMostShown);
+        if (!is_known(element)) {
+            notes.add("elements called " + name, "not read",
+                      static_cast<std::size_t>(element.count));
+            continue;
+        }
+        for (const Property& property : element.properties) {
+            if (property.use != Use::none) continue;
+            notes.add("property " + gltf::in_one_line(property.name, kMostShown) +
+                          " of each " + name,
+                      "not read");
+        }
+    }
+}
+
+Scene to_scene(const std::string& path, Model model, const Header& header)
 {
     Scene scene;
     const std::string name = name_of_file(path);
@@ -72,6 +101,8 @@ Scene to_scene(const std::string& path, Model model)
     }
     mesh.material = add_material(mesh.topology);
     gltf::Notes notes;
+    note_what_is_skipped(header, notes);
+    notes.add(kUncutPolygons, kUncutBecause, model.uncut);
     gltf::repair_normals(mesh, notes);
     scene.ignored = notes.lines();
     place_mesh(scene, std::move(mesh));
@@ -89,7 +120,7 @@ Scene read_ply(const std::string& path, const Bytes& content)
     }
     const ply::Element* vertex = header.find("vertex");
     if (vertex == nullptr || vertex->count == 0) fail_in_file(path, "the file holds no vertices");
-    return ply::to_scene(path, ply::read_model(path, content, header));
+    return ply::to_scene(path, ply::read_model(path, content, header), header);
 }
 
 }  // namespace sheer
