@@ -99,8 +99,7 @@ void add_scene_options(CLI::App& command, SceneOptions& given)
         ->disable_flag_override()
         ->group(kGroup);
     const auto add_limit = [&](const char* name, const std::string& of, std::uint64_t& most) {
-        add_value(command, name, "N",
-                  of + "; more are refused (" + std::to_string(most) + ")",
+        add_value(command, name, "N", of + "; more are refused (" + std::to_string(most) + ")",
                   [&most](auto& option, auto& text) {
                       most = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
                   })

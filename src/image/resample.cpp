@@ -44,10 +44,10 @@ TextureImage enlarged(const TextureImage& image, int width, int height)
         for (int x = 0; x < width; ++x, ++to) {
             const Between u = between(x, image.width, width);
             for (std::size_t c = 0; c < 4; ++c) {
-                const double above = std::lerp(value(u.first, v.first, c),
-                                               value(u.second, v.first, c), u.part);
-                const double below = std::lerp(value(u.first, v.second, c),
-                                               value(u.second, v.second, c), u.part);
+                const double above =
+                    std::lerp(value(u.first, v.first, c), value(u.second, v.first, c), u.part);
+                const double below =
+                    std::lerp(value(u.first, v.second, c), value(u.second, v.second, c), u.part);
                 const double mean = std::lerp(above, below, v.part);
                 (*to)[c] = c < 3 ? srgb8_from_linear(mean)
                                  : static_cast<std::uint8_t>(std::floor(255 * mean + 0.5));

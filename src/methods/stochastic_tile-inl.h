@@ -160,7 +160,8 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
                 };
                 for (std::size_t c = 0; c < count; ++c) {
                     const std::size_t n = i[c];
-                    fragment[c] = {sample_depth<L>(plane, offset[b], depth[n]), id,
+                    fragment[c] = {sample_depth<L>(plane, offset[b], depth[n]),
+                                   id,
                                    {real(red[n]), real(green[n]), real(blue[n])}};
                     change[c] = Method::change(L::mask_of_bits(masks.word(k + c, s)), fragment[c],
                                                at(c), Samples);

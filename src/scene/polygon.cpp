@@ -119,8 +119,8 @@ void PolygonCutter::cut_ears(std::vector<std::uint32_t>& indices,
     if (work_ >= kMostWork) ++uncut_;
 }
 
-void PolygonCutter::add(std::vector<std::uint32_t>& indices,
-                        std::span<const std::uint32_t> polygon, std::span<const Float3> corners)
+void PolygonCutter::add(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon,
+                        std::span<const Float3> corners)
 {
     if (polygon.size() <= 3) return add_fan(indices, polygon);
     flatten(corners);

@@ -161,12 +161,8 @@ private:
 
 bool is_binary_stl(const Bytes& content)
 {
-    if (content.size() < kHeaderSize) return false;
-    const std::uint64_t size = kHeaderSize + kTriangleSize * triangle_count(content);
-    // Bytes may follow the triangles, but no text has a zero before its first facet.
-    const auto end = content.begin() + kHeaderSize;
-    return content.size() == size ||
-           (content.size() > size && std::find(content.begin(), end, 0) != end);
+    return content.size() >= kHeaderSize &&
+           content.size() == kHeaderSize + kTriangleSize * triangle_count(content);
 }
 
 Scene read_stl(const std::string& path, const Bytes& content)
@@ -175,7 +171,9 @@ Scene read_stl(const std::string& path, const Bytes& content)
     scene.materials.push_back(plain_material(name_of_file(path), false, Topology::triangles));
     const std::string_view text = as_text(content);
     const std::size_t start = std::min(text.size(), text.find_first_not_of(" \t\r\n\xef\xbb\xbf"));
-    const bool is_text = in_small_letters(text.substr(start, 5)) == "solid";
+    // Other bytes may follow a binary file's triangles, but no text has a zero among its first.
+    const bool is_text = in_small_letters(text.substr(start, 5)) == "solid" &&
+                         text.substr(0, kHeaderSize).find('\0') == text.npos;
     if (is_binary_stl(content) || !is_text) {
         read_binary(path, content, scene);
     } else {

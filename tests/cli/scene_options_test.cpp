@@ -128,6 +128,7 @@ TEST_F(SceneOptionsTest, OpacityThatIsNone)
         EXPECT_EQ(said("2"), "sheer: --opacity: '2' is not between 0 and 1\n");
         EXPECT_EQ(said("near=-0.5"), "sheer: --opacity: '-0.5' is not between 0 and 1\n");
         EXPECT_EQ(said("near"), "sheer: --opacity: 'near' is not a finite number\n");
+        EXPECT_EQ(said("=0.5"), "sheer: --opacity: there is no name before the '='\n");
         EXPECT_EQ(said("near=nan"), "sheer: --opacity: 'nan' is not a finite number\n");
         EXPECT_EQ(
             said("door*=1"),

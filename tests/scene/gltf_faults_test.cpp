@@ -148,13 +148,12 @@ TEST(GltfFaults, SizesAndOffsets)
                   b.json["accessors"][0].erase("bufferView");
               }),
               "test.gltf: accessors[0]: more elements than --most-elements allows (268435456)");
-    EXPECT_EQ(
-        after([](Builder& b) {
-            b.json["accessors"][0]["count"] = 1 << 25;
-            b.json["accessors"][0].erase("bufferView");
-        }),
-        "test.gltf: accessors[0]: more elements without a bufferView than a 256th of "
-        "--most-elements (1048576)");
+    EXPECT_EQ(after([](Builder& b) {
+                  b.json["accessors"][0]["count"] = 1 << 25;
+                  b.json["accessors"][0].erase("bufferView");
+              }),
+              "test.gltf: accessors[0]: more elements without a bufferView than a 256th of "
+              "--most-elements (1048576)");
 }
 
 TEST(GltfFaults, Vertices)

@@ -213,6 +213,16 @@ TEST(Mtl, WhatIsNotDrawnIsNoted)
     EXPECT_TRUE(scene.images.empty());
 }
 
+TEST(Mtl, StatementsThatWouldChangeThePictureAreNoted)
+{
+    const Scenery scenery;
+    EXPECT_EQ(scenery.read("Ka 1 1 1\nNi 1.5\nillum 4\nTf 1 1 1\n# Tf\n\n").ignored,
+              std::vector<std::string>{});
+    EXPECT_EQ(scenery.read("Tf .2 .9 .2\nPc 1\n").ignored,
+              (std::vector<std::string>{"materials with Pc: 1, drawn without it",
+                                        "materials with Tf: 1, drawn without it"}));
+}
+
 TEST(Mtl, NothingOutsideOfTheFolderIsRead)
 {
     const Scenery scenery;

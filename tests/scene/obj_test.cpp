@@ -37,6 +37,13 @@ TEST(Obj, PolygonsAreCutAroundTheirFirstCorner)
     EXPECT_TRUE(scene.ignored.empty());
 }
 
+// Around the first corner the triangle 1 2 3 would fill the notch.
+TEST(Obj, NotchesOfFacesStayOpen)
+{
+    const Scene scene = read("v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nf 1 2 3 4\n");
+    EXPECT_EQ(scene.meshes.at(0).indices, (Indices{1, 2, 3, 3, 0, 1}));
+}
+
 TEST(Obj, CornersThatAreEqualInAllAreOneVertex)
 {
     // The second face shares 1/1/1 alone: 3/2/1 differs in its texture coordinates, 4/1/2 is new.
@@ -184,8 +191,8 @@ TEST(Obj, WhatIsNotDrawnIsNoted)
               (std::vector<std::string>{"faces of fewer than 3 corners: 1, not drawn",
                                         "free-form curves and surfaces: 1, not drawn",
                                         "lines of fewer than 2 points: 1, not drawn",
-                                        "material libraries that are not in the file's "
-                                        "folder: 1, drawn without them"}));
+                                        "material library 'none.mtl', which is not in the file's "
+                                        "folder: 1, drawn without it"}));
     EXPECT_EQ(scene.meshes.size(), 1u);
 }
 

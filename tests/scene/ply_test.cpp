@@ -50,6 +50,24 @@ TEST(Ply, PolygonsAreCutAroundTheirFirstCorner)
     EXPECT_TRUE(scene.materials[0].double_sided);
 }
 
+TEST(Ply, NotchesOfFacesStayOpen)
+{
+    const std::string corners = "0 0 0\n2 1 0\n0 2 0\n1 1 0\n";
+    const Scene scene = read(ascii(vertices(4) + faces(1), corners + "4 0 1 2 3\n"));
+    EXPECT_EQ(scene.meshes.at(0).indices, (Indices{1, 2, 3, 3, 0, 1}));
+}
+
+TEST(Ply, WhatIsNotReadIsNoted)
+{
+    const Scene scene = read(ascii(vertices(3, "property float quality\n") + faces(1) +
+                                       "property uchar red\nelement camera 2\nproperty int id\n",
+                                   "0 0 0 9\n1 0 0 9\n1 1 0 9\n3 0 1 2 255\n7\n8\n"));
+    EXPECT_EQ(scene.ignored, (std::vector<std::string>{"elements called camera: 2, not read",
+                                                       "property quality of each vertex: 1, not "
+                                                       "read",
+                                                       "property red of each face: 1, not read"}));
+}
+
 TEST(Ply, VertexPropertiesInAnyOrder)
 {
     const std::string elements =

@@ -37,6 +37,24 @@ void expect_two_triangles(const Scene& scene)
     EXPECT_TRUE(scene.materials[0].double_sided);
 }
 
+TEST(Stl, WhatFollowsBinaryTrianglesIsPassedOver)
+{
+    for (const char* start : {"solid of a writer that knows no better", "any"}) {
+        std::string text = binary({{kA, kB, kC}, {kA, kC, kD}}, start);
+        text.replace(60, 1, 1, '\0');
+        expect_two_triangles(read_stl("a.stl", to_bytes(text + "\r\n")));
+    }
+}
+
+TEST(Stl, ColoursAreNoted)
+{
+    const std::string text = binary({{kA, kB, kC}}, "COLOR=abcd");
+    EXPECT_EQ(read_stl("a.stl", to_bytes(text)).ignored,
+              (std::vector<std::string>{"colour in the header: 1, not read",
+                                        "triangles with spare bytes, which may be colours: 1, not "
+                                        "read"}));
+}
+
 TEST(Stl, BinaryCornersInOnePlaceAreOneVertex)
 {
     // -0 is 0, and what the header begins with says nothing.

@@ -2,6 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include <sheer/sheer.h>
 
 #include "image/color.h"
 #include "shade/textured_wall.h"
@@ -28,6 +32,28 @@ float linear(int encoded)
 constexpr float kScales[] = {0.01f, 0.3f, 1, 7.3f, 60, 5000};
 
 }  // namespace
+
+// Khronos' test of interpolation (glTF-Sample-Assets, TextureLinearInterpolationTest): two discs,
+// one of a colour, the other halfway between two texels, are the same green, and would not be if
+// encoded texels were mixed: half the light against .214 of it.
+TEST(Texture, KhronosDiscsAreOfOneGreen)
+{
+    const char* folder = std::getenv("SHEER_SCENES");
+    const std::string path =
+        std::string(folder == nullptr ? "" : folder) +
+        "/gltf/TextureLinearInterpolationTest/TextureLinearInterpolationTest.glb";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "SHEER_SCENES names no folder with it";
+    View view;
+    view.width = view.height = 256;
+    view.samples = 1;
+    Options options;
+    options.method = "exact";
+    const Image image = render(load(path), view, options).image;
+    const auto& by_factor = image.pixels[152 * 256 + 73];
+    const auto& by_texture = image.pixels[179 * 256 + 161];
+    for (std::size_t c = 0; c < 4; ++c) EXPECT_NEAR(by_factor[c], by_texture[c], 2 * kStep);
+    EXPECT_NEAR(by_factor[1], 0.5f, 2 * kStep);
+}
 
 TEST(Texture, ConstantStaysConstant)
 {

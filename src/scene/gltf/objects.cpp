@@ -49,9 +49,7 @@ private:
 class Objects {
 public:
     Objects(Import& import, const std::vector<PlacedNode>& nodes)
-        : import_(import),
-          worlds_(import.document.count("nodes"), nullptr),
-          limits_(import.options)
+        : import_(import), worlds_(import.document.count("nodes"), nullptr), limits_(import.options)
     {
         for (const PlacedNode& placed : nodes) worlds_[placed.number] = &placed.world;
     }

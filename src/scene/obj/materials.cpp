@@ -17,7 +17,7 @@ namespace sheer::obj {
 
 namespace {
 
-constexpr float kBrightest = 1e6f;  // what scenes may hold
+constexpr float kBrightest = 1e6f;      // what scenes may hold
 constexpr std::size_t kMostShown = 60;  // of a name
 
 bool is_black(const Float3& color)
@@ -112,9 +112,9 @@ std::optional<std::uint32_t> Materials::load(const std::string& name)
 {
     const std::optional<std::string> path = finder_.find(name);
     if (!path) {
-        notes_.add("image '" + gltf::in_one_line(name, kMostShown) + "', which is " +
-                       finder_.where_not(),
-                   "drawn without it");
+        notes_.add(
+            "image '" + gltf::in_one_line(name, kMostShown) + "', which is " + finder_.where_not(),
+            "drawn without it");
         return std::nullopt;
     }
     if (const auto known = loaded_.find(*path); known != loaded_.end()) return known->second;

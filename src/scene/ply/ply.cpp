@@ -69,9 +69,9 @@ void note_what_is_skipped(const Header& header, gltf::Notes& notes)
         }
         for (const Property& property : element.properties) {
             if (property.use != Use::none) continue;
-            notes.add("property " + gltf::in_one_line(property.name, kMostShown) +
-                          " of each " + name,
-                      "not read");
+            notes.add(
+                "property " + gltf::in_one_line(property.name, kMostShown) + " of each " + name,
+                "not read");
         }
     }
 }
