@@ -193,20 +193,34 @@ private:
         const float* centers = f.depth.data();
         const std::uint32_t* pixels = f.pixel.data();
         float *kept = depths_.values.data(), *far = masks_.farthest.data();
-        for (; masks_.number(k) < end; ++k) {
-            const std::size_t i = masks_.number(k), pixel = pixels[i];
-            real most;
+        // As in StochasticTile::insert_run.
+        const auto insert_some = [&](auto count) HWY_ATTR {
+            std::size_t i[count], pixel[count];
+            for (std::size_t c = 0; c < count; ++c) {
+                i[c] = masks_.number(k + c);
+                pixel[c] = pixels[i[c]];
+            }
+            real most[count];
             for (std::size_t b = 0; b < of_run.kBlocks; ++b) {
                 const std::size_t s = b * L::kCount;
-                float* at = kept + (2 * pixel * Samples + s);
-                const Depth nearest = Text::stochastic_depth_insert(
-                    load_depth(at, Samples), L::mask_of_bits(masks_.word(k, s)),
-                    of_run.at(b, centers[i]));
-                save_depth(nearest, at, Samples);
-                most = b == 0 ? nearest.depth : L::max(most, nearest.depth);
+                Depth nearest[count];
+                const auto at = [&](std::size_t c)
+                                    HWY_ATTR { return kept + (2 * pixel[c] * Samples + s); };
+                for (std::size_t c = 0; c < count; ++c) {
+                    nearest[c] = Text::stochastic_depth_insert(
+                        load_depth(at(c), Samples), L::mask_of_bits(masks_.word(k + c, s)),
+                        of_run.at(b, centers[i[c]]));
+                    most[c] = b == 0 ? nearest[c].depth : L::max(most[c], nearest[c].depth);
+                }
+                for (std::size_t c = 0; c < count; ++c) save_depth(nearest[c], at(c), Samples);
             }
-            far[pixel] = most.greatest();
+            for (std::size_t c = 0; c < count; ++c) far[pixel[c]] = most[c].greatest();
+            k += count;
+        };
+        while (masks_.number(k) < end && masks_.number(k + 1) < end) {
+            insert_some(std::integral_constant<std::size_t, 2>());
         }
+        while (masks_.number(k) < end) insert_some(std::integral_constant<std::size_t, 1>());
         return k;
     }
 

@@ -63,16 +63,11 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
     void begin_pass()
     {
         masks.begin_pass(pass);
-        // Colours are looked at only where a depth was kept.
-        const auto nothing = Method::clear();
-        for (std::size_t pixel = 0; pixel < kTilePixels; ++pixel) {
-            float* depth = this->values() + Method::kChannels * pixel * this->count();
-            float* id = depth + this->count();
-            for (std::size_t s = 0; s < this->count(); s += L::kCount) {
-                nothing.depth.store(depth + s);
-                nothing.id.as_real().store(id + s);
-            }
-        }
+        // Ids and colours are looked at only where a depth was kept.
+        this->for_each([&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            Method::beyond_any().store(this->values() + Method::kChannels * pixel * this->count() +
+                                       s);
+        });
     }
 
     // What the samples of this pass show so far, and those of the passes before it.
