@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "lanes/lanes-inl.h"
 #include "methods/method.h"
@@ -75,6 +76,21 @@ public:
 private:
     AlignedArray<float> of_pixel_{kTilePixels};
 };
+
+// Calls insert(k, count) for a run's candidates of `masks` from k on that are before `end` in the
+// stream, one or two (count: a constant) at once. No two of them are in one pixel, so that what the
+// first one reads and stores and what the second one does have nothing to wait for. Returns the
+// number of the next run's first.
+template <class Masks, class Insert>
+HWY_INLINE std::size_t two_at_once(const Masks& masks, std::size_t k, std::size_t end,
+                                   Insert&& insert)
+{
+    for (; masks.number(k) < end && masks.number(k + 1) < end; k += 2) {
+        insert(k, std::integral_constant<std::size_t, 2>());
+    }
+    for (; masks.number(k) < end; ++k) insert(k, std::integral_constant<std::size_t, 1>());
+    return k;
+}
 
 }  // namespace sheer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

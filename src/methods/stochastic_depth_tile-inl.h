@@ -193,11 +193,10 @@ private:
         const float* centers = f.depth.data();
         const std::uint32_t* pixels = f.pixel.data();
         float *kept = depths_.values.data(), *far = masks_.farthest.data();
-        // As in StochasticTile::insert_run.
-        const auto insert_some = [&](auto count) HWY_ATTR {
+        return two_at_once(masks_, k, end, [&](std::size_t first, auto count) HWY_ATTR {
             std::size_t i[count], pixel[count];
             for (std::size_t c = 0; c < count; ++c) {
-                i[c] = masks_.number(k + c);
+                i[c] = masks_.number(first + c);
                 pixel[c] = pixels[i[c]];
             }
             real most[count];
@@ -208,20 +207,14 @@ private:
                                     HWY_ATTR { return kept + (2 * pixel[c] * Samples + s); };
                 for (std::size_t c = 0; c < count; ++c) {
                     nearest[c] = Text::stochastic_depth_insert(
-                        load_depth(at(c), Samples), L::mask_of_bits(masks_.word(k + c, s)),
+                        load_depth(at(c), Samples), L::mask_of_bits(masks_.word(first + c, s)),
                         of_run.at(b, centers[i[c]]));
                     most[c] = b == 0 ? nearest[c].depth : L::max(most[c], nearest[c].depth);
                 }
                 for (std::size_t c = 0; c < count; ++c) save_depth(nearest[c], at(c), Samples);
             }
             for (std::size_t c = 0; c < count; ++c) far[pixel[c]] = most[c].greatest();
-            k += count;
-        };
-        while (masks_.number(k) < end && masks_.number(k + 1) < end) {
-            insert_some(std::integral_constant<std::size_t, 2>());
-        }
-        while (masks_.number(k) < end) insert_some(std::integral_constant<std::size_t, 1>());
-        return k;
+        });
     }
 
     // Second pass: most fragments lie behind all that their pixel kept.

@@ -137,12 +137,10 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
             offset[b] = sample_depth_offset<L>(plane, set, b * L::kCount);
         }
         const typename L::whole id(run.primitive);
-        // No two of them are in one pixel: what is stored for the first is not read for the next.
-        constexpr std::size_t kAtOnce = 2;
-        const auto insert_some = [&](auto count) HWY_ATTR {
+        return two_at_once(masks, k, end, [&](std::size_t first, auto count) HWY_ATTR {
             std::size_t i[count], pixel[count];
             for (std::size_t c = 0; c < count; ++c) {
-                i[c] = masks.number(k + c);
+                i[c] = masks.number(first + c);
                 pixel[c] = pixels[i[c]];
             }
             real most[count];
@@ -158,8 +156,8 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
                     fragment[c] = {sample_depth<L>(plane, offset[b], depth[n]),
                                    id,
                                    {real(red[n]), real(green[n]), real(blue[n])}};
-                    change[c] = Method::change(L::mask_of_bits(masks.word(k + c, s)), fragment[c],
-                                               at(c), Samples);
+                    change[c] = Method::change(L::mask_of_bits(masks.word(first + c, s)),
+                                               fragment[c], at(c), Samples);
                     most[c] = b == 0 ? change[c].depth : L::max(most[c], change[c].depth);
                 }
                 for (std::size_t c = 0; c < count; ++c) {
@@ -167,13 +165,7 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
                 }
             }
             for (std::size_t c = 0; c < count; ++c) far[pixel[c]] = most[c].greatest();
-            k += count;
-        };
-        while (masks.number(k) < end && masks.number(k + 1) < end) {
-            insert_some(std::integral_constant<std::size_t, kAtOnce>());
-        }
-        while (masks.number(k) < end) insert_some(std::integral_constant<std::size_t, 1>());
-        return k;
+        });
     }
 
     // The depth test before the number of samples is drawn: a fragment's mask waits for what those
