@@ -78,6 +78,7 @@ struct ExactLists {
         layers.resize(size);
         pixels.resize(size);
         depths.resize(size);
+        // A stream's runs follow one another and hold all of it.
         for (std::size_t i = old; i < size; ++i) {
             pixels[i] = static_cast<std::uint16_t>(f.pixel[i - old]);
         }
