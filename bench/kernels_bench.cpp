@@ -74,7 +74,7 @@ public:
         view.width = view.height = kPictureSize;
         const Projection projection = resolve_camera(motor(), view);
         geometry_ = build_geometry({motor(), projection, grid_, set_.extent, 1});
-        surfaces_ = make_surfaces(motor(), 0, geometry_.eye, 1);
+        surfaces_ = make_surfaces({motor(), 0, geometry_.eye, 1});
         std::vector<std::size_t> triangles(static_cast<std::size_t>(grid_.count()));
         for (const TriangleChunk& chunk : geometry_.chunks) {
             for (std::size_t t = 0; t + 1 < chunk.tile_begin.size(); ++t) {

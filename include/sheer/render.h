@@ -22,6 +22,14 @@ enum class Filter {
     gaussian,  // sigma 0.5 pixel, over the 3x3 pixels around, 0 from 1.5 pixels on
 };
 
+// How the smaller levels of a texture are made whose alpha is opacity.
+enum class AlphaMips {
+    premultiplied,  // means of colour times alpha, so that what is absent has no colour
+    straight,       // means of colours as they are: halos of what artists left in absent texels
+    coverage,       // premultiplied; then alpha is scaled so that of each level as large a part
+                    // passes an alpha test as of the image. I. Castaño 2010
+};
+
 enum class ShadowKind {
     none,        // light goes through everything
     stochastic,  // maps of random samples: Enderton et al., Stochastic Transparency, 3.2 and 3.6
@@ -69,6 +77,8 @@ struct View {
     std::optional<Float3> eye;         // with target: a camera of one's own, y up
     std::optional<Float3> target;
     std::optional<float> fov;  // full vertical angle in degrees, of that camera
+    AlphaMips alpha_mips = AlphaMips::premultiplied;
+    int texture_levels = 0;  // of each texture that are used, the largest first, 1 to 16; 0: all
     float exposure = 0;  // EV, -32 to 32; surfaces are multiplied by 2^EV, the background is not
     Shadows shadows;
 };

@@ -273,6 +273,7 @@ void check_view(const View& view, const Options& options)
         refuse("samples: " + std::to_string(view.samples) +
                " is not one of 1, 2, 4, 8, 16, 32, 64");
     }
+    check_whole("texture-levels", view.texture_levels, 0, 16);
     if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
     check_shadows(view.shadows);
     check_noise(options);

@@ -21,6 +21,11 @@ constexpr std::array<std::pair<const char*, SamplePositions>, 2> kPositions = {
 constexpr std::array<std::pair<const char*, Filter>, 2> kFilters = {
     {{"box", Filter::box}, {"gaussian", Filter::gaussian}}};
 
+constexpr std::array<std::pair<const char*, AlphaMips>, 3> kAlphaMips = {
+    {{"premultiplied", AlphaMips::premultiplied},
+     {"straight", AlphaMips::straight},
+     {"coverage", AlphaMips::coverage}}};
+
 constexpr std::array<std::pair<const char*, Simd>, 5> kLevels = {{{"scalar", Simd::scalar},
                                                                   {"sse4", Simd::sse4},
                                                                   {"avx2", Simd::avx2},
@@ -55,6 +60,24 @@ void add_picture_options(CLI::App& command, View& view)
         ->group(kGroup);
     add_value(command, "--exposure", "EV", "Surfaces are brighter by 2^EV (0)",
               [&view](auto& option, auto& text) { view.exposure = parse_float(option, text); })
+        ->group(kGroup);
+}
+
+void add_texture_options(CLI::App& command, View& view)
+{
+    add_value(command, "--alpha-mips", "KIND",
+              "Smaller levels of textures with opacities: premultiplied;\n"
+              "straight, with halos; coverage, of which as much passes\n"
+              "an alpha test as of the image (premultiplied)",
+              [&view](auto& option, auto& text) {
+                  view.alpha_mips = parse_choice(option, text, kAlphaMips);
+              })
+        ->group(kGroup);
+    add_value(command, "--texture-levels", "N",
+              "Of each texture, the largest first; 1: the image alone;\n0: all (0)",
+              [&view](auto& option, auto& text) {
+                  view.texture_levels = parse_whole(option, text, 0, 16);
+              })
         ->group(kGroup);
 }
 
@@ -120,6 +143,7 @@ CLI::Option* add_value(CLI::App& command, const std::string& names, const std::s
 void add_view_options(CLI::App& command, ViewOptions& given)
 {
     add_picture_options(command, given.view);
+    add_texture_options(command, given.view);
     add_camera_options(command, given.view);
     add_shadow_options(command, given.view.shadows);
     add_machine_options(command, given.options);

@@ -88,11 +88,17 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
     worker.channels.write(rect, interior, shape, *result.channels);
 }
 
+TextureMips texture_mips(const View& view)
+{
+    return {view.alpha_mips, view.texture_levels};
+}
+
 FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
                                const Eye& eye, int threads, std::span<const Take> takes)
 {
     const Shadowed shadowed = view.shadows.kind == ShadowKind::none ? Shadowed::no : Shadowed::yes;
-    FrameSurfaces result = make_surfaces(scene, view.exposure, eye, threads, shadowed);
+    FrameSurfaces result =
+        make_surfaces({scene, view.exposure, eye, threads, shadowed, texture_mips(view)});
     const auto sorts_objects = [](const Take& take) {
         return take.method.wants().submission == Submission::objects_sorted;
     };
@@ -167,7 +173,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     const std::span<const Take> takes = request.takes;
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
     const std::uint64_t scene_bytes =
-        geometry_bytes(scene, places_of(takes)) + texture_bytes(scene, wanted);
+        geometry_bytes(scene, places_of(takes)) + texture_bytes(scene, wanted, texture_mips(view));
     if (options.memory_limit != 0) {
         require_memory(options.memory_limit, scene_bytes);
     } else {

@@ -99,7 +99,9 @@ HWY_INLINE BaseColor<L> base_color(const Surface& surface, const TriangleSurface
     }
     if (surface.detail->base_color) {
         const Texel<L> texel = look_up<L>(*surface.detail->base_color, detail, p);
-        const real scale = L::zero_unless(texel.a > real(0.0f), real(1.0f) / texel.a);
+        const real scale = surface.detail->base_color->straight
+                               ? real(1.0f)
+                               : L::zero_unless(texel.a > real(0.0f), real(1.0f) / texel.a);
         base.color = base.color * Vector<L>{texel.r * scale, texel.g * scale, texel.b * scale};
         alpha = alpha * texel.a;
     }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "image/color.h"
+#include "shade/coverage_scale.h"
 
 namespace sheer {
 
@@ -107,10 +108,11 @@ void begin_level(MipChain& chain, std::size_t width, std::size_t height)
     ++chain.level_count;
 }
 
-std::size_t texels_of_all_levels(std::size_t width, std::size_t height)
+// Of the `most` largest levels; 0: of all.
+std::size_t texels_of_levels(std::size_t width, std::size_t height, std::uint32_t most)
 {
     std::size_t sum = width * height;
-    while (width > 1 || height > 1) {
+    for (std::uint32_t levels = 1; (width > 1 || height > 1) && levels != most; ++levels) {
         width = std::max<std::size_t>(1, width / 2);
         height = std::max<std::size_t>(1, height / 2);
         sum += width * height;
@@ -118,51 +120,87 @@ std::size_t texels_of_all_levels(std::size_t width, std::size_t height)
     return sum;
 }
 
+double part_that_reaches(const TextureImage& image, float alpha)
+{
+    // What the levels' 16 bits and floats make of an alpha is off by less.
+    const double least = 255 * (static_cast<double>(alpha) - 1e-6);
+    const auto reaching =
+        std::count_if(image.texels.begin(), image.texels.end(),
+                      [&](const auto& texel) { return static_cast<double>(texel[3]) >= least; });
+    return static_cast<double>(reaching) / static_cast<double>(image.texels.size());
+}
+
+// The scale of a level's alphas, and of what has been multiplied by them.
+double scale_of(const Level& level, const MipRecipe& recipe, double part)
+{
+    if (!(recipe.keeps_coverage_at > 0)) return 1;
+    std::vector<double> alphas;
+    alphas.reserve(level.texels.size());
+    for (const Texel& texel : level.texels) alphas.push_back(texel[3]);
+    return coverage_scale(std::move(alphas), part, static_cast<double>(recipe.keeps_coverage_at));
+}
+
+Texel scaled(const Texel& texel, double scale)
+{
+    const double own = std::min(scale, texel[3] > 0 ? 1 / texel[3] : scale);
+    return {own * texel[0], own * texel[1], own * texel[2], own * texel[3]};
+}
+
 }  // namespace
 
-MipChain make_mip_chain(const TextureImage& image, TexelUse use)
+MipChain make_mip_chain(const TextureImage& image, const MipRecipe& recipe)
 {
+    const TexelUse use = recipe.use;
     const std::array<double, 256> decoded = decoding_table(use);
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
     const auto at = [&](std::size_t x, std::size_t y) {
         const auto& texel = image.texels[y * width + x];
-        const double alpha =
-            use == TexelUse::color_with_alpha ? static_cast<double>(texel[3]) / 255 : 1;
-        return Texel{decoded[texel[0]] * alpha, decoded[texel[1]] * alpha,
-                     decoded[texel[2]] * alpha, alpha};
+        const bool counts = use == TexelUse::color_with_alpha || use == TexelUse::straight_color;
+        const double alpha = counts ? static_cast<double>(texel[3]) / 255 : 1;
+        const double times = use == TexelUse::straight_color ? 1 : alpha;
+        return Texel{decoded[texel[0]] * times, decoded[texel[1]] * times,
+                     decoded[texel[2]] * times, alpha};
     };
     MipChain chain;
     if (use == TexelUse::data) {
-        chain.floats.reserve(4 * texels_of_all_levels(width, height));
+        chain.floats.reserve(4 * texels_of_levels(width, height, recipe.levels));
     } else {
-        chain.words.reserve(2 * texels_of_all_levels(width, height));
+        chain.words.reserve(2 * texels_of_levels(width, height, recipe.levels));
     }
     begin_level(chain, width, height);
     for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < width; ++x) keep(chain, use, at(x, y));
     }
-    if (width == 1 && height == 1) return chain;
+    if ((width == 1 && height == 1) || recipe.levels == 1) return chain;
+    const bool keeps_coverage = recipe.keeps_coverage_at > 0;
+    const double part = keeps_coverage ? part_that_reaches(image, recipe.keeps_coverage_at) : 0;
     Level level = halved(width, height, at);
     for (;;) {
         begin_level(chain, level.width, level.height);
-        for (const Texel& texel : level.texels) keep(chain, use, texel);
-        if (level.width == 1 && level.height == 1) return chain;
+        const double scale = scale_of(level, recipe, part);
+        for (const Texel& texel : level.texels) {
+            keep(chain, use, keeps_coverage ? scaled(texel, scale) : texel);
+        }
+        const bool last = level.width == 1 && level.height == 1;
+        if (last || chain.level_count == recipe.levels) return chain;
         level = halved(level.width, level.height, [&](std::size_t x, std::size_t y) {
             return level.texels[y * level.width + x];
         });
     }
 }
 
-MipChainBytes mip_chain_bytes(const TextureImage& image, TexelUse use)
+MipChainBytes mip_chain_bytes(const TextureImage& image, const MipRecipe& recipe)
 {
     const auto width = static_cast<std::size_t>(image.width);
     const auto height = static_cast<std::size_t>(image.height);
     const std::uint64_t texel_bytes =
-        use == TexelUse::data ? 4 * sizeof(float) : 2 * sizeof(std::uint32_t);
-    const std::size_t all = texels_of_all_levels(width, height);
-    // Two of the smaller levels at a time, in doubles.
-    return {all * texel_bytes, (all - width * height) * sizeof(Texel)};
+        recipe.use == TexelUse::data ? 4 * sizeof(float) : 2 * sizeof(std::uint32_t);
+    const std::size_t all = texels_of_levels(width, height, recipe.levels);
+    // Two of the smaller levels at a time, in doubles; and a level's alphas, to be sorted.
+    const std::uint64_t making_bytes =
+        sizeof(Texel) + (recipe.keeps_coverage_at > 0 ? sizeof(double) : 0);
+    return {all * texel_bytes, (all - width * height) * making_bytes};
 }
 
 }  // namespace sheer

@@ -1,4 +1,4 @@
-// An image made ready to be filtered: linear, premultiplied where its alpha counts, with all its
+// An image made ready to be filtered: linear, premultiplied where its alpha counts, with its
 // mipmap levels (docs/numerics.md, "Textures").
 #pragma once
 
@@ -14,8 +14,20 @@ namespace sheer {
 // How a material reads an image.
 enum class TexelUse {
     color_with_alpha,  // sRGB, multiplied by its alpha
+    straight_color,    // sRGB, its alpha beside it
     color,             // sRGB, alpha counts as 1
     data,              // linear, alpha counts as 1
+};
+
+// What is made of an image.
+struct MipRecipe {
+    TexelUse use;
+    // Above 0, of color_with_alpha: of each level as large a part as can be reaches this alpha as
+    // of the image (coverage_scale.h).
+    float keeps_coverage_at = 0;
+    std::uint32_t levels = 0;  // that are kept, the largest first; 0: all
+
+    auto operator<=>(const MipRecipe&) const = default;
 };
 
 // Colours have 16 bits a channel: red and green in a texel's first word, blue and alpha in its
@@ -31,12 +43,12 @@ struct MipChain {
     std::vector<float> floats;         // four for each texel
 };
 
-MipChain make_mip_chain(const TextureImage& image, TexelUse use);
+MipChain make_mip_chain(const TextureImage& image, const MipRecipe& recipe);
 
 // What an image's chain takes, and what making it takes besides.
 struct MipChainBytes {
     std::uint64_t kept, making;
 };
-MipChainBytes mip_chain_bytes(const TextureImage& image, TexelUse use);
+MipChainBytes mip_chain_bytes(const TextureImage& image, const MipRecipe& recipe);
 
 }  // namespace sheer

@@ -38,29 +38,37 @@ bool needs_detail(const Scene& scene, const Material& m, Shadowed shadowed)
            !scene.lights.empty() || shadowed == Shadowed::yes;
 }
 
-TexelUse base_color_use(const Material& m)
+// The texture's alpha at which the material passes an alpha test; BLEND is tested at a half.
+float tested_alpha(const Material& m)
+{
+    const float cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.5f;
+    return m.opacity > 0 ? cutoff / m.opacity : 0;
+}
+
+MipRecipe base_color_recipe(const Material& m, AlphaMips mips)
 {
     // What passes at any alpha has to keep the colour that it has at 0.
     const bool passes = m.alpha_mode == AlphaMode::mask && !(m.alpha_cutoff > 0);
-    return m.alpha_mode == AlphaMode::opaque || passes ? TexelUse::color
-                                                       : TexelUse::color_with_alpha;
+    if (m.alpha_mode == AlphaMode::opaque || passes) return {TexelUse::color};
+    if (mips == AlphaMips::straight) return {TexelUse::straight_color};
+    return {TexelUse::color_with_alpha, mips == AlphaMips::coverage ? tested_alpha(m) : 0.0f};
 }
 
 // Makes each chain that a material needs once.
 class TextureMaker {
 public:
-    TextureMaker(const Scene& scene, FrameSurfaces& result) : scene_(scene), result_(result) {}
+    TextureMaker(const Scene& scene, const TextureMips& mips, FrameSurfaces& result)
+        : scene_(scene), mips_(mips), result_(result)
+    {
+    }
 
     std::optional<PreparedTexture> prepare(const std::optional<Texture>& texture, TexelUse use)
     {
-        if (!texture) return std::nullopt;
-        const auto [known, is_new] = numbers_.try_emplace({texture->image, use}, wanted_.size());
-        if (is_new) {
-            wanted_.push_back({texture->image, use});
-            result_.textures.emplace_back();
-        }
-        return PreparedTexture{&result_.textures[known->second], texture->sampler, texture->set,
-                               texture->transform};
+        return prepare(texture, MipRecipe{use});
+    }
+    std::optional<PreparedTexture> prepare_base_color(const Material& m)
+    {
+        return prepare(m.base_color_texture, base_color_recipe(m, mips_.alpha));
     }
 
     // Of all that is wanted, made on as many threads at once.
@@ -68,7 +76,7 @@ public:
     {
         std::uint64_t kept = 0, making = 0;
         for (const Wanted& wanted : wanted_) {
-            const MipChainBytes bytes = mip_chain_bytes(scene_.images[wanted.image], wanted.use);
+            const MipChainBytes bytes = mip_chain_bytes(scene_.images[wanted.image], wanted.recipe);
             kept += bytes.kept;
             making = std::max(making, bytes.making);
         }
@@ -78,17 +86,34 @@ public:
     void make_all(int threads)
     {
         parallel_for(threads, wanted_.size(), [&](std::size_t i, int) {
-            result_.textures[i] = make_mip_chain(scene_.images[wanted_[i].image], wanted_[i].use);
+            const Wanted& wanted = wanted_[i];
+            result_.textures[i] = make_mip_chain(scene_.images[wanted.image], wanted.recipe);
         });
     }
 
 private:
     struct Wanted {
         std::uint32_t image;
-        TexelUse use;
+        MipRecipe recipe;
         auto operator<=>(const Wanted&) const = default;
     };
+
+    std::optional<PreparedTexture> prepare(const std::optional<Texture>& texture, MipRecipe recipe)
+    {
+        if (!texture) return std::nullopt;
+        recipe.levels = static_cast<std::uint32_t>(mips_.levels);
+        const Wanted wanted{texture->image, recipe};
+        const auto [known, is_new] = numbers_.try_emplace(wanted, wanted_.size());
+        if (is_new) {
+            wanted_.push_back(wanted);
+            result_.textures.emplace_back();
+        }
+        return PreparedTexture{&result_.textures[known->second], texture->sampler, texture->set,
+                               texture->transform, recipe.use == TexelUse::straight_color};
+    }
+
     const Scene& scene_;
+    TextureMips mips_;
     FrameSurfaces& result_;
     std::map<Wanted, std::size_t> numbers_;
     std::vector<Wanted> wanted_;
@@ -102,7 +127,7 @@ MaterialDetail make_detail(const Material& m, float gain, TextureMaker& textures
                           is_glass(m) ? m.transmission : 0.0f,
                           m.normal_scale,
                           times(m.emission, gain),
-                          textures.prepare(m.base_color_texture, base_color_use(m)),
+                          textures.prepare_base_color(m),
                           {},
                           {},
                           {},
@@ -202,15 +227,15 @@ Lighting make_lighting(const Scene& scene, float gain, const Eye& eye)
 
 }  // namespace
 
-FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads,
-                            Shadowed shadowed)
+FrameSurfaces make_surfaces(const SurfaceJob& job)
 {
-    const float gain = two_to_the(exposure);
+    const Scene& scene = job.scene;
+    const float gain = two_to_the(job.exposure);
     FrameSurfaces result;
-    result.light = make_lighting(scene, gain, eye);
-    TextureMaker textures(scene, result);
-    prepare_details(scene, gain, shadowed, textures, result);
-    textures.make_all(threads);
+    result.light = make_lighting(scene, gain, job.eye);
+    TextureMaker textures(scene, job.mips, result);
+    prepare_details(scene, gain, job.shadowed, textures, result);
+    textures.make_all(job.threads);
     result.surfaces.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
         const Surface surface = make_surface(scene, object, gain, result);
@@ -264,10 +289,10 @@ FrameSurfaces make_casters(const FrameSurfaces& seen)
     return casters;
 }
 
-std::uint64_t texture_bytes(const Scene& scene, int threads)
+std::uint64_t texture_bytes(const Scene& scene, int threads, const TextureMips& mips)
 {
     FrameSurfaces none;
-    TextureMaker textures(scene, none);
+    TextureMaker textures(scene, mips, none);
     prepare_details(scene, 1, Shadowed::no, textures, none);
     return textures.bytes(threads);
 }

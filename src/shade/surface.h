@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include <sheer/render.h>
 #include <sheer/scene.h>
 
 #include "geometry/triangles.h"
@@ -19,6 +20,7 @@ struct PreparedTexture {
     Sampler sampler;
     std::uint32_t set;
     std::array<float, 6> transform;
+    bool straight = false;  // colours are not multiplied by alpha
 };
 
 // What a material has beyond a colour under the sun and the sky.
@@ -91,12 +93,24 @@ struct FrameSurfaces {
 
 enum class Shadowed { no, yes };
 
-// `shadowed`: light.shadows will be set.
-FrameSurfaces make_surfaces(const Scene& scene, float exposure, const Eye& eye, int threads,
-                            Shadowed shadowed = Shadowed::no);
+// How textures are made ready; as the view has it.
+struct TextureMips {
+    AlphaMips alpha = AlphaMips::premultiplied;
+    int levels = 0;
+};
+
+struct SurfaceJob {
+    const Scene& scene;
+    float exposure;
+    const Eye& eye;
+    int threads;
+    Shadowed shadowed = Shadowed::no;  // or light.shadows will be set
+    TextureMips mips = {};
+};
+FrameSurfaces make_surfaces(const SurfaceJob& job);
 
 // Of textures, at most: while make_surfaces runs on as many threads.
-std::uint64_t texture_bytes(const Scene& scene, int threads);
+std::uint64_t texture_bytes(const Scene& scene, int threads, const TextureMips& mips);
 
 // The same surfaces as light meets them: of each no more than what passes through it, and nothing
 // of unlit ones. Points into `seen`.

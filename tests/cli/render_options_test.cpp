@@ -45,6 +45,17 @@ TEST_F(RenderOptionsTest, ShadowsAreTaken)
     }
 }
 
+TEST_F(RenderOptionsTest, TexturesAreReadAsAsked)
+{
+    for (const char* mips : {"premultiplied", "straight", "coverage"}) {
+        const Outcome outcome = render({"--alpha-mips", mips, "--texture-levels", "2"});
+        EXPECT_EQ(outcome.exit_code, 0) << mips << ": " << outcome.err;
+    }
+    expect_refusal({"--alpha-mips", "odd"},
+                   "--alpha-mips: 'odd' is none of premultiplied, straight, coverage");
+    expect_refusal({"--texture-levels", "17"}, "--texture-levels: '17' is not a whole number");
+}
+
 TEST_F(RenderOptionsTest, OddShadowsAreRefused)
 {
     expect_refusal({"--shadows", "soft"}, "--shadows: 'soft' is none of none, stochastic, exact");

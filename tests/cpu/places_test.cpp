@@ -98,7 +98,7 @@ void for_each_place(const Sheet& sheet, PlaceSpace space, Simd level, Check&& ch
     const Projection projection = resolve_camera(scene, view);
     const Geometry geometry =
         build_geometry({scene, projection, grid, set.extent, 1, {true, true, true}});
-    const FrameSurfaces surfaces = make_surfaces(scene, 0, geometry.eye, 1);
+    const FrameSurfaces surfaces = make_surfaces({scene, 0, geometry.eye, 1});
     TileScratch scratch;
     OpaqueTile opaque(1, false);
     FragmentStream stream(2 * kTilePixels, false, true);

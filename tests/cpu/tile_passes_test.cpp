@@ -101,7 +101,7 @@ public:
         View view = small_view();
         view.width = view.height = 32;
         geometry_ = build_geometry({scene_, resolve_camera(scene_, view), grid_, set_.extent, 1});
-        surfaces_ = make_surfaces(scene_, 0, geometry_.eye, 1);
+        surfaces_ = make_surfaces({scene_, 0, geometry_.eye, 1});
         setting_.job = {&geometry_, &surfaces_, &set_, 0, grid_.rect(0), grid_.rect(0)};
     }
 

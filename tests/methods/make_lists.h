@@ -49,7 +49,7 @@ inline FragmentLists lists_of_fullest_tile(const Scene& scene, const std::string
     const auto fullest = std::max_element(triangles.begin(), triangles.end());
     const int tile = static_cast<int>(fullest - triangles.begin());
 
-    const FrameSurfaces surfaces = make_surfaces(scene, 0, geometry.eye, 1);
+    const FrameSurfaces surfaces = make_surfaces({scene, 0, geometry.eye, 1});
     TileScratch scratch;
     OpaqueTile opaque(samples, surfaces.any_opaque);
     const PixelRect rect = grid.rect(tile);

@@ -68,7 +68,7 @@ std::vector<LightWay> random_ways(const Scene& scene, std::uint64_t count)
 // The largest difference over all ways.
 double worst_difference(const Scene& scene, const std::vector<LightWay>& ways)
 {
-    const FrameSurfaces surfaces = make_surfaces(scene, 0, Eye{}, 1, Shadowed::yes);
+    const FrameSurfaces surfaces = make_surfaces({scene, 0, Eye{}, 1, Shadowed::yes});
     const Casters casters(scene, surfaces, Projection{}, 1024);
     const reference::Textures textures(scene);
     double worst = 0;

@@ -21,7 +21,7 @@ inline std::unique_ptr<ShadowMap> suns_map(const Scene& scene, const Shadows& sh
     const SampleSet samples = make_sample_set(1, SamplePositions::standard);
     const Geometry geometry = build_geometry(
         {scene, resolve_camera(scene, view), {view.width, view.height, 0}, samples.extent, 1});
-    const FrameSurfaces surfaces = make_surfaces(scene, 0, geometry.eye, 1, Shadowed::yes);
+    const FrameSurfaces surfaces = make_surfaces({scene, 0, geometry.eye, 1, Shadowed::yes});
     FrameShadows made = prepare_shadows(
         {scene, shadows, geometry, surfaces, targets_of(Simd::best), 2, key, frame}, Options{});
     return std::move(made.shadows.front().map);
