@@ -67,7 +67,7 @@ std::size_t thread_bytes(const FrameJob& job)
     const auto samples = static_cast<std::size_t>(job.samples.count);
     const std::size_t pixel_samples = kTilePixels * samples;
     const std::size_t per_fragment =
-        sizeof(FragmentRun) + (any_placed(job.groups) ? 28 : 19) * sizeof(float);
+        sizeof(FragmentRun) + (any_placed(job.groups) ? 29 : 19) * sizeof(float);
     std::size_t bytes = static_cast<std::size_t>(job.stream_capacity) * per_fragment +
                         pixel_samples * sizeof(Float4) + kTilePixels * 10 * sizeof(Float4);
     const std::size_t triangles = most_triangles_of_a_tile(job.geometry, job.grid.count());

@@ -11,6 +11,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
+#include "cpu/levels-inl.h"
 #include "cpu/places-inl.h"
 #include "cpu/triangle_batch-inl.h"
 #include "cpu/visibility-inl.h"
@@ -161,6 +162,7 @@ HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const C
     };
     shade_covered(tile.job, tile.setup, batch, first, end, list, tile.scratch, write);
     if (tile.job.wants.places) add_places(tile.job, batch, first, end, list, s);
+    if (tile.job.wants.levels) add_levels(tile.job, tile.setup, batch, first, end, list, s);
     int kept = s.size;
     for (std::size_t k = first; k < end; ++k) {
         const int begin = batch.begin[k], count = batch.begin[k + 1] - begin;

@@ -147,8 +147,8 @@ inline void set_surface(const TileJob& job, const TriangleChunk& chunk, const Tr
     if (surface.has_vertex_colors) result.color.set(a0.color, a1.color, a2.color);
 }
 
-inline void set_detail(const TileJob& job, const TriangleChunk& chunk, const Triangle& t,
-                       TileScratch& scratch, TriangleDetail& result)
+inline void set_texcoords(const TileJob& job, const TriangleChunk& chunk, const Triangle& t,
+                          TriangleDetail& result)
 {
     const Geometry& geometry = *job.geometry;
     const TextureAttributes a0 = geometry.texture_attributes_of(chunk, t.vertex[0]);
@@ -159,6 +159,12 @@ inline void set_detail(const TileJob& job, const TriangleChunk& chunk, const Tri
     }
     result.tangent.set(a0.tangent, a1.tangent, a2.tangent);
     result.bitangent_side = a0.tangent[3] < 0 ? -1.0f : 1.0f;
+}
+
+inline void set_detail(const TileJob& job, const TriangleChunk& chunk, const Triangle& t,
+                       TileScratch& scratch, TriangleDetail& result)
+{
+    set_texcoords(job, chunk, t, result);
     set_light_places(job, t, scratch, result);
 }
 

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "methods/hashed_settings.h"
+
 namespace sheer {
 
 StoreVerbs alpha_test_verbs(TargetSet targets, const ChosenMethod& method, int samples);
@@ -45,6 +47,13 @@ FragmentWants wants_places(const ChosenMethod& method)
                               : space == "world" ? PlaceSpace::world
                                                  : PlaceSpace::texture;
     return {.places = places, .masks = true};
+}
+
+FragmentWants wants_places_and_levels(const ChosenMethod& method)
+{
+    FragmentWants wants = wants_places(method);
+    wants.levels = fade_in_levels(method) > 0;
+    return wants;
 }
 
 std::vector<Parameter> with_hashed(std::vector<Parameter> first)
@@ -103,10 +112,13 @@ MethodRow hashed_alpha_test_row()
             .title = "Hashed alpha test: random thresholds that stay on the surface",
             .citation = kWymanMcGuire,
             .continuum = nearest_of("if its opacity reaches a number that stays on the surface"),
-            .parameters = with_hashed({}),
+            .parameters = with_hashed(
+                {{"fade-in", "off|0.1..16.0", "off",
+                  "an alpha test at a half nearby, which by this mipmap level of the base colour "
+                  "texture has become a hashed one; the paper's is 6"}}),
             .traits = traits_of_nearest(),
             .verbs = hashed_alpha_test_verbs,
-            .wants = wants_places};
+            .wants = wants_places_and_levels};
 }
 
 MethodRow alpha_to_coverage_row()

@@ -1,4 +1,5 @@
-// Alpha tests whose thresholds stay on the surface: shaders/sheer/hashed_threshold.glsl.
+// Alpha tests whose thresholds stay on the surface: shaders/sheer/hashed_threshold.glsl. Nearby
+// they may be those of an alpha test: shaders/sheer/fade_in.glsl.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -19,6 +20,7 @@ struct HashedTestText {
 #include "sheer/random.glsl"
 #include "sheer/alpha_test.glsl"
 #include "sheer/hashed_threshold.glsl"
+#include "sheer/fade_in.glsl"
 };
 
 class HashedThreshold {
@@ -28,16 +30,24 @@ class HashedThreshold {
 public:
     static constexpr bool kNamed = false;
 
-    explicit HashedThreshold(const StoreShape& shape) : thresholds_(*shape.method) {}
+    explicit HashedThreshold(const StoreShape& shape)
+        : thresholds_(*shape.method), fade_levels_(fade_in_levels(*shape.method))
+    {
+    }
     void clear(const TilePlace&) {}
     HWY_INLINE KeptSamples keep(const FragmentStream& f, std::size_t i, FragmentLanes::whole) const
     {
-        return all_samples(Text::alpha_test(real::load(f.opacity.data() + i),
-                                            thresholds_.threshold(thresholds_.cells(f, i))));
+        real threshold = thresholds_.threshold(thresholds_.cells(f, i));
+        if (fade_levels_ > 0) {
+            const real b = Text::fade_in(real::load(f.level.data() + i), real(fade_levels_));
+            threshold = Text::faded_threshold(threshold, b);
+        }
+        return all_samples(Text::alpha_test(real::load(f.opacity.data() + i), threshold));
     }
 
 private:
     HashedThresholds<Text> thresholds_;
+    float fade_levels_;
 };
 
 template <int S>

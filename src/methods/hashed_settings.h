@@ -31,4 +31,11 @@ inline HashedSettings hashed_settings(const ChosenMethod& method)
             without != "third"};
 }
 
+// Of hashed-alpha-test: the level from which on there is noise alone; 0: from the first.
+inline float fade_in_levels(const ChosenMethod& method)
+{
+    const bool off = method.value("fade-in") == "off";
+    return off ? 0.0f : static_cast<float>(method.real("fade-in"));
+}
+
 }  // namespace sheer

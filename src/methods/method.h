@@ -189,6 +189,7 @@ enum class Submission {
 struct FragmentWants {
     Submission submission = Submission::as_given;
     std::optional<PlaceSpace> places;  // FragmentStream::place, in this space
+    bool levels = false;               // FragmentStream::level; only with places
     // MASK surfaces come with their opacities, for the method to test; else they are drawn first,
     // where they pass their cutoff.
     bool masks = false;

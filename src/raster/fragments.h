@@ -40,6 +40,9 @@ struct FragmentStream {
     // Where wanted: the place on the surface at which the fragment is shaded, and how it changes
     // along a pixel to the right and down; three coordinates each. Else empty.
     std::array<AlignedArray<float>, 9> place;
+    // Likewise, where levels are wanted: the mipmap level that the base colour texture is read at,
+    // times a pixel's length over its width on the texture. Endless without a texture.
+    AlignedArray<float> level;
     bool placed = false;
 
     FragmentStream() = default;
@@ -63,6 +66,7 @@ struct FragmentStream {
         for (AlignedArray<float>& coordinate : place) {
             if (placed) coordinate = AlignedArray<float>(most + kSlack);
         }
+        if (placed) level = AlignedArray<float>(most + kSlack);
     }
 
     void clear() { size = run_count = 0; }
@@ -84,6 +88,7 @@ struct FragmentStream {
     void move_place(std::size_t to, std::size_t from)
     {
         for (AlignedArray<float>& coordinate : place) coordinate[to] = coordinate[from];
+        level[to] = level[from];
     }
     std::uint64_t sample_bits(std::size_t i) const
     {

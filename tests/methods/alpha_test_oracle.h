@@ -217,8 +217,13 @@ inline Kept kept_by(const Setting& setting, const Plate& plate, std::uint32_t pi
     if (id == "hashed-alpha-to-coverage") {
         return hashed_coverage_oracle(setting, opacity, place, s);
     }
-    const auto threshold = hashed_oracle(method, place);
+    auto threshold = hashed_oracle(method, place);
     if (!threshold) return Kept::unknown;
+    if (method.value("fade-in") != "off") {
+        const double levels = static_cast<double>(static_cast<float>(method.real("fade-in")));
+        const double b = reference::fade_in(static_cast<double>(level_of(plate)), levels);
+        threshold = reference::faded_threshold(*threshold, b);
+    }
     return at_least(opacity, *threshold, opacity == 1 ? 0 : kThresholdError);
 }
 

@@ -114,9 +114,15 @@ template <class L>
 struct HashedTestAlone : NearestAlone<L, HashedTestAlone<L>> {
     bool keeps(std::size_t i, std::size_t) const
     {
+        const ListedFragment& f = this->lists.fragments[i];
         const HashedAlone<L> hashed{hashed_settings(this->method)};
-        return Texts<L>::alpha_test(this->opacity(i),
-                                    hashed.threshold(hashed.cells(this->lists.fragments[i].place)));
+        auto threshold = hashed.threshold(hashed.cells(f.place));
+        if (const float levels = fade_in_levels(this->method); levels > 0) {
+            using real = typename L::real;
+            const real b = Texts<L>::fade_in(real(f.level), real(levels));
+            threshold = Texts<L>::faded_threshold(threshold, b);
+        }
+        return Texts<L>::alpha_test(this->opacity(i), threshold);
     }
 };
 

@@ -28,6 +28,7 @@ struct SurfaceLayer {
     std::uint32_t id = 0;
     float z = 0.5f;
     float pixel = 0.707f;  // what the place changes by in a pixel
+    float level = 3;       // of the texture
 };
 
 void put_places(FragmentStream& f, const SurfaceLayer& layer, int tile)
@@ -45,6 +46,7 @@ void put_places(FragmentStream& f, const SurfaceLayer& layer, int tile)
                                layer.pixel,
                                0};
         for (std::size_t c = 0; c < 9; ++c) f.place[c][i] = place[c];
+        f.level[i] = layer.level;
     }
 }
 

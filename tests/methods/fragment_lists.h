@@ -25,6 +25,7 @@ struct ListedFragment {
     float center, dx, dy, least, most;  // depth at the pixel's centre, and its plane
     std::uint32_t back_facing;
     std::array<float, 9> place;  // FragmentStream::place
+    float level;                 // FragmentStream::level
 };
 
 struct FragmentLists {
@@ -107,7 +108,8 @@ inline void list_fragments(FragmentLists& lists)
                                    d.least,
                                    d.most,
                                    run.back_facing ? 1u : 0u,
-                                   {}};
+                                   {},
+                                   f.level[i]};
             for (std::size_t c = 0; c < 9; ++c) lists.fragments[at].place[c] = f.place[c][i];
             planes[at] = d;
         }

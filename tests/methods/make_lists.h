@@ -57,6 +57,7 @@ inline FragmentLists lists_of_fullest_tile(const Scene& scene, const std::string
     if (samples > 16) region.y1 = region.y0 + kTileSize / 4;
     FragmentWants wants;
     wants.places = PlaceSpace::object;
+    wants.levels = true;
     const TileJob job{&geometry, &surfaces, &lists.set, tile, rect, region, wants};
     const FragmentConsumer full{[](void*, const FragmentStream&) { return false; }, nullptr};
     if (!tile_fragments_for(targets_of(Simd::best))(job, scratch, opaque, lists.stream, full)) {
@@ -199,6 +200,7 @@ private:
             const float u = bits() % 12 == 0 ? 0.0f : 2 * uniform() - 1;
             f.place[c][at] = c < 3 ? 20 * u : size * u;
         }
+        f.level[at] = f.place[0][at] / 2;
     }
 
     FragmentLists lists_;

@@ -107,6 +107,8 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "hashed-alpha-test:without=octaves",
     "hashed-alpha-test:without=third",
     "hashed-alpha-test:without=uniform",
+    "hashed-alpha-test:fade-in=6",
+    "hashed-alpha-test:fade-in=0.5:variant=isotropic",
     "alpha-to-coverage",
     "hashed-alpha-to-coverage",
     "hashed-alpha-to-coverage:jitter=sample:variant=isotropic",

@@ -57,6 +57,7 @@ struct Texts {
 #include "sheer/mlcb.glsl"
 #include "sheer/alpha_test.glsl"
 #include "sheer/hashed_threshold.glsl"
+#include "sheer/fade_in.glsl"
 #include "sheer/alpha_to_coverage.glsl"
 #include "sheer/screen_door.glsl"
 };

@@ -52,6 +52,12 @@ inline std::array<float, 9> place_of(const Plate& plate, std::uint32_t pixel)
     return place;
 }
 
+// FragmentStream::level of the plate: below the first, between two, and beyond the paper's sixth.
+inline float level_of(const Plate& plate)
+{
+    return static_cast<float>(plate.primitive % 9) - 1.25f;
+}
+
 // `at` at the centre of the tile's first pixel. Wide enough that clamping changes nothing.
 inline DepthPlane make_plane(double at, double dx, double dy)
 {
@@ -129,6 +135,7 @@ inline void fill_stream(std::span<const Plate> plates, FragmentStream& stream)
             if (!stream.placed) continue;
             const std::array<float, 9> place = place_of(plate, tile_pixel(i));
             for (std::size_t c = 0; c < 9; ++c) stream.place[c][at] = place[c];
+            stream.level[at] = level_of(plate);
         }
         const auto count = static_cast<std::uint32_t>(stream.size) - first;
         if (count == 0) continue;

@@ -13,6 +13,7 @@ struct Fragment {
     float center, dx, dy, least, most;  // depth at the pixel's centre, and its plane
     uint back_facing;
     float place[9];  // on the surface, and its change along a pixel to the right and down
+    float level;     // of its texture, times how oblique it is seen
 };
 
 struct Tile {

@@ -260,7 +260,10 @@ private:
         all.push_back({4, settings.octaves ? 1u : 0u});
         all.push_back({5, settings.uniform ? 1u : 0u});
         all.push_back({6, settings.third ? 1u : 0u});
-        if (id == "hashed-alpha-test") return;
+        if (id == "hashed-alpha-test") {
+            all.push_back({7, std::bit_cast<std::uint32_t>(fade_in_levels(method))});
+            return;
+        }
         all.push_back({7, is("jitter", "sample")});
         all.push_back({8, is("decorrelate", "on")});
     }
