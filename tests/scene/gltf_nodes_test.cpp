@@ -86,6 +86,45 @@ TEST(GltfNodes, NumbersObjectsInTheOrderOfTraversal)
     }
 }
 
+// A tree of nodes of which one is moved by an animation: what hangs below it moves as one.
+TEST(GltfNodes, WhatAnAnimationMovesIsAWhole)
+{
+    Builder builder = nodes_with_a_mesh(5);
+    Json& nodes = builder.json["nodes"];
+    nodes[0]["children"] = {1};
+    nodes[1]["children"] = {2};
+    nodes[2]["children"] = {3};
+    for (int i = 0; i < 5; ++i) {
+        nodes[static_cast<std::size_t>(i)]["translation"] = {1 << i, 0, 0};
+    }
+    nodes[3]["scale"] = {2, 2, 2};
+    EXPECT_FALSE(read(builder).objects[3].to_whole);  // nothing moves
+    builder.json["animations"] = Json::parse(R"([{"channels": [
+        {"target": {"node": 1, "path": "rotation"}}, {"target": {"node": 4, "path": "weights"}},
+        {"target": {"path": "scale"}}]}])");
+    const Scene scene = read(builder);
+    ASSERT_EQ(names(scene), "n0n1n2n3n4");
+    EXPECT_FALSE(scene.objects[0].to_whole);
+    EXPECT_EQ(scene.objects[1].to_whole, kIdentity);
+    Mat4 second = kIdentity, third = kIdentity;
+    second[12] = 4;
+    EXPECT_EQ(scene.objects[2].to_whole, second);
+    third[0] = third[5] = third[10] = 2;
+    third[12] = 4 + 8;
+    EXPECT_EQ(scene.objects[3].to_whole, third);
+    EXPECT_FALSE(scene.objects[4].to_whole);  // weights move no node
+    // The nearest that moves.
+    builder.json["animations"][0]["channels"][1]["target"] = {{"node", 2}, {"path", "scale"}};
+    EXPECT_EQ(read(builder).objects[2].to_whole, kIdentity);
+    third[12] = 8;
+    EXPECT_EQ(read(builder).objects[3].to_whole, third);
+    EXPECT_EQ(read(builder).objects[1].to_whole, kIdentity);
+    builder.json["animations"][0]["channels"][1]["target"]["node"] = 9;
+    EXPECT_EQ(
+        fault_of(builder),
+        "test.gltf: animations[0].channels[1].target.node: there is no nodes[9], the file has 5");
+}
+
 TEST(GltfNodes, EachPrimitiveOfANodeIsAnObject)
 {
     Builder builder = nodes_with_a_mesh(2);

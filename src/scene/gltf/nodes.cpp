@@ -90,6 +90,30 @@ std::vector<std::size_t> root_nodes(Import& import)
     return roots;
 }
 
+// By node: whether an animation moves it.
+std::vector<bool> moving_nodes(const Document& document)
+{
+    std::vector<bool> moves(document.count("nodes"), false);
+    for (std::size_t i = 0; i < document.count("animations"); ++i) {
+        const auto channels = document.item("animations", i).find("channels");
+        for (std::size_t c = 0; channels && c < channels->size(); ++c) {
+            const auto target = (*channels)[c].find("target");
+            const auto node = target ? target->find("node") : std::nullopt;
+            const auto path = target ? target->find("path") : std::nullopt;
+            if (node && path && path->text() != "weights") {
+                moves[document.index_in("nodes", *node)] = true;
+            }
+        }
+    }
+    return moves;
+}
+
+std::optional<Matrix> whole_of(bool moves, const std::optional<Matrix>& above, const Matrix& local)
+{
+    if (moves) return kIdentityMatrix;
+    return above ? std::optional(multiply(*above, local)) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<PlacedNode> place_nodes(Import& import)
@@ -98,26 +122,30 @@ std::vector<PlacedNode> place_nodes(Import& import)
     std::vector<PlacedNode> placed;
     std::vector<PlacedNode> waiting;  // with the parent's matrix; the next one last
     std::vector<bool> reached(document.count("nodes"), false);
-    const auto reach = [&](std::size_t number, const Matrix& world, std::int32_t parent) {
+    const std::vector<bool> moves = moving_nodes(document);
+    const auto reach = [&](std::size_t number, const PlacedNode& parent, std::int32_t at) {
         if (reached[number]) {
             document.item("nodes", number).fail("is reached twice: nodes must form trees");
         }
         reached[number] = true;
-        waiting.push_back({number, world, parent});
+        waiting.push_back({number, parent.world, at, parent.whole});
     };
     const std::vector<std::size_t> roots = root_nodes(import);
-    for (std::size_t i = roots.size(); i > 0; --i) reach(roots[i - 1], kIdentityMatrix, -1);
+    const PlacedNode none{0, kIdentityMatrix, -1};
+    for (std::size_t i = roots.size(); i > 0; --i) reach(roots[i - 1], none, -1);
     while (!waiting.empty()) {
         const PlacedNode next = waiting.back();
         waiting.pop_back();
         const Value node = document.item("nodes", next.number);
-        const Matrix world = multiply(next.world, local_matrix(import, node));
+        const Matrix local = local_matrix(import, node);
         const auto own = static_cast<std::int32_t>(placed.size());
-        placed.push_back({next.number, world, next.parent});
+        const PlacedNode here{next.number, multiply(next.world, local), next.parent,
+                              whole_of(moves[next.number], next.whole, local)};
+        placed.push_back(here);
         note_extensions(import, node, "nodes");
         const auto children = node.find("children");
         for (std::size_t c = children ? children->size() : 0; c > 0; --c) {
-            reach(document.index_in("nodes", (*children)[c - 1]), world, own);
+            reach(document.index_in("nodes", (*children)[c - 1]), here, own);
         }
     }
     return placed;

@@ -66,18 +66,26 @@ public:
             Shape shape = {morph_weights(import_.document.item("meshes", mesh), node), skin,
                            determinant(placed.world) < 0};
             const auto meshes = read_mesh(import_, import_.document.item("meshes", mesh), shape);
-            add(node, placed.parent, meshes, kIdentityMatrix);
+            add(node, placed.parent, meshes, {kIdentityMatrix, std::nullopt});
             return;
         }
         const MeshNumbers& meshes = shared_meshes(node, mesh);
-        if (!instances) add(node, placed.parent, meshes, placed.world);
+        if (!instances) add(node, placed.parent, meshes, {placed.world, placed.whole});
         for (std::size_t i = 0; instances && i < instances->size(); ++i) {
-            add(node, placed.parent, meshes, multiply(placed.world, (*instances)[i]));
+            const Matrix& own = (*instances)[i];
+            Where where{multiply(placed.world, own), std::nullopt};
+            if (placed.whole) where.whole = multiply(*placed.whole, own);
+            add(node, placed.parent, meshes, where);
         }
     }
 
 private:
-    void add(const Value& node, std::int32_t group, const MeshNumbers& meshes, const Matrix& world)
+    struct Where {
+        Matrix world;
+        std::optional<Matrix> whole;
+    };
+
+    void add(const Value& node, std::int32_t group, const MeshNumbers& meshes, const Where& where)
     {
         Scene& scene = import_.scene;
         for (const std::uint32_t mesh : meshes) {
@@ -86,7 +94,8 @@ private:
             object.name = name_of(node);
             object.group = group;
             object.mesh = mesh;
-            object.transform = require_float(node, world);
+            object.transform = require_float(node, where.world);
+            if (where.whole) object.to_whole = require_float(node, *where.whole);
             object.id = static_cast<std::uint32_t>(scene.objects.size());
             scene.objects.push_back(std::move(object));
         }
