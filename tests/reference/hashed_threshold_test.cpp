@@ -253,48 +253,6 @@ TEST(ReferenceHashedThreshold, OrdersOfStrata)
     }
 }
 
-// How much an exponential average with weight .1 changes in the end, over 8 frames, on the mean of
-// all thresholds. With alpha a multiple of 1/8 only the threshold's stratum matters.
-double flicker(double alpha, StrataOrder order)
-{
-    double mean = 0;
-    for (int c = 0; c < 8; ++c) {
-        double average = alpha, low = 1, high = 0;
-        for (int frame = 0; frame < 800; ++frame) {
-            const double threshold =
-                stratified_threshold((c + .5) / 8, stratum(frame % 8, 8, order), 8);
-            average += .1 * ((alpha >= threshold ? 1 : 0) - average);
-            if (frame < 792) continue;
-            low = std::min(low, average);
-            high = std::max(high, average);
-        }
-        mean += (high - low) / 8;
-    }
-    return mean;
-}
-
-TEST(ReferenceHashedThreshold, OrdersFlickerAsTheyShould)
-{
-    // In a row: those that pass, then the others, of which the extremes are geometric series.
-    const auto in_a_row = [](int passing) {
-        const double high = (1 - std::pow(.9, passing)) / (1 - std::pow(.9, 8));
-        return high * (1 - std::pow(.9, 8 - passing));
-    };
-    for (const int passing : {2, 4, 6}) {
-        EXPECT_NEAR(flicker(passing / 8., StrataOrder::linear), in_a_row(passing), 1e-9);
-    }
-    // Measured elsewhere on random thresholds: those for one quarter and for three, which are the
-    // same in truth, were up to 15 % apart.
-    const double known[][3] = {{.25, .128, .108}, {.5, .100, .099}, {.75, .123, .102}};
-    for (const auto& [alpha, alternating, reversed] : known) {
-        EXPECT_NEAR(flicker(alpha, StrataOrder::alternating), alternating, .15 * alternating);
-        EXPECT_NEAR(flicker(alpha, StrataOrder::van_der_corput), reversed, .15 * reversed);
-        EXPECT_LT(flicker(alpha, StrataOrder::van_der_corput),
-                  flicker(alpha, StrataOrder::alternating));
-        EXPECT_LT(flicker(alpha, StrataOrder::alternating), flicker(alpha, StrataOrder::linear));
-    }
-}
-
 TEST(ReferenceHashedThreshold, DirectionsByTheCosine)
 {
     double mean = 0;
