@@ -1,4 +1,4 @@
-// Points to pixels by the logarithm to base 2 across and to base 10 up.
+// Points to pixels by the logarithm to base 2 across, and up to base 10 or evenly.
 #include "compare/reproduce/chart.h"
 
 #include <algorithm>
@@ -24,10 +24,19 @@ double log10_of(double x)
     return own_log(x) / own_log(10);
 }
 
+bool is_drawn(double x, double y)
+{
+    return x > 0 && y > 0 && std::isfinite(y);
+}
+
 struct Frame {
     double least_x = 1e300, most_x = -1e300, least_y = 1e300, most_y = -1e300;  // logarithms
     bool has_infinity = false;
+    bool is_even = false;  // upwards
 
+    bool draws(double x, double y) const { return is_drawn(x, y) || (is_even && x > 0 && y == 0); }
+    double step_y() const { return is_even ? 0.2 : 1; }
+    double up(double y) const { return is_even ? y : log10_of(y); }
     void take(double x, double y)
     {
         if (std::isfinite(x)) {
@@ -35,8 +44,8 @@ struct Frame {
             most_x = std::max(most_x, own_log2(x));
         }
         has_infinity = has_infinity || !std::isfinite(x);
-        least_y = std::min(least_y, std::floor(log10_of(y)));
-        most_y = std::max(most_y, std::ceil(log10_of(y)));
+        least_y = is_even ? 0 : std::min(least_y, std::floor(up(y)));
+        most_y = std::max(most_y, step_y() * std::ceil(up(y) / step_y()));
     }
     double end_x() const { return most_x + (has_infinity ? 1 : 0); }
     double log2_of(double x) const { return std::isfinite(x) ? own_log2(x) : end_x(); }
@@ -45,10 +54,10 @@ struct Frame {
         return kLeft +
                (log2_x - least_x) / std::max(1.0, end_x() - least_x) * (kWidth - kLeft - kRight);
     }
-    double down(double log10_y) const
+    double down(double up_y) const
     {
         return kTop +
-               (most_y - log10_y) / std::max(1.0, most_y - least_y) * (kHeight - kTop - kBottom);
+               (most_y - up_y) / std::max(step_y(), most_y - least_y) * (kHeight - kTop - kBottom);
     }
 };
 
@@ -72,28 +81,23 @@ std::string axes(const Frame& frame, const std::string& across)
         svg += text_at({frame.across(x), kHeight - kBottom + 18},
                        x > frame.most_x ? "infinity" : power_text(x), " text-anchor=\"middle\"");
     }
-    for (double y = frame.least_y; y <= frame.most_y; ++y) {
+    const double steps = (frame.most_y - frame.least_y) / frame.step_y();
+    for (int i = 0; i <= steps + 0.5; ++i) {
+        const double y = frame.least_y + i * frame.step_y();
         svg += grid_line({kLeft, frame.down(y)}, {kWidth - kRight, frame.down(y)});
-        svg += text_at({kLeft - 8, frame.down(y) + 4}, "1e" + fixed(y, 0), " text-anchor=\"end\"");
+        svg += text_at({kLeft - 8, frame.down(y) + 4},
+                       frame.is_even ? fixed(y, 1) : "1e" + fixed(y, 0), " text-anchor=\"end\"");
     }
     return svg + text_at({(kLeft + kWidth - kRight) / 2, kHeight - 10}, across,
                          " text-anchor=\"middle\"");
 }
 
-bool is_drawn(double x, double y)
+std::string chart_in(Frame frame, const std::string& title, const std::vector<Series>& series,
+                     const std::string& across)
 {
-    return x > 0 && y > 0 && std::isfinite(y);
-}
-
-}  // namespace
-
-std::string log_log_chart(const std::string& title, const std::vector<Series>& series,
-                          const std::string& across)
-{
-    Frame frame;
     for (const Series& s : series) {
         for (std::size_t i = 0; i < s.x.size(); ++i) {
-            if (is_drawn(s.x[i], s.y[i])) frame.take(s.x[i], s.y[i]);
+            if (frame.draws(s.x[i], s.y[i])) frame.take(s.x[i], s.y[i]);
         }
     }
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + fixed(kWidth, 0) +
@@ -109,9 +113,9 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
                                   dashes[k / std::size(kColors) % std::size(dashes)];
         std::string points;
         for (std::size_t i = 0; i < series[k].x.size(); ++i) {
-            if (!is_drawn(series[k].x[i], series[k].y[i])) continue;
+            if (!frame.draws(series[k].x[i], series[k].y[i])) continue;
             points += fixed(frame.across(frame.log2_of(series[k].x[i])), 1) + "," +
-                      fixed(frame.down(log10_of(series[k].y[i])), 1) + " ";
+                      fixed(frame.down(frame.up(series[k].y[i])), 1) + " ";
         }
         if (points.empty()) continue;
         svg += "<polyline " + style + " points=\"" + points + "\"/>\n";
@@ -120,6 +124,22 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
         svg += text_at({legend + 26, y}, series[k].title, " fill=\"" + color + "\"");
     }
     return svg + "</svg>\n";
+}
+
+}  // namespace
+
+std::string log_log_chart(const std::string& title, const std::vector<Series>& series,
+                          const std::string& across)
+{
+    return chart_in({}, title, series, across);
+}
+
+std::string log_linear_chart(const std::string& title, const std::vector<Series>& series,
+                             const std::string& across)
+{
+    Frame frame;
+    frame.is_even = true;
+    return chart_in(frame, title, series, across);
 }
 
 double log_log_slope(const Series& series)

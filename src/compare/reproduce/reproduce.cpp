@@ -22,6 +22,9 @@ constexpr const char* kStratified =
 constexpr const char* kContinuum =
     "Wyman. Exploring and Expanding the Continuum of OIT Algorithms. HPG 2016";
 
+constexpr const char* kHashed =
+    "Wyman and McGuire. Improved Alpha Testing Using Hashed Sampling. IEEE TVCG 25(2), 2019";
+
 constexpr const char* kMoment = "Sharpe. Moment Transparency. HPG 2018";
 
 constexpr const char* kOwn = "Of no paper: what everything else is measured by";
@@ -93,6 +96,20 @@ constexpr ReproduceEntry kEntries[] = {
     {"continuum-table", kContinuum,
      "error, noise, memory and cost of every method on every built-in scene",
      reproduce_continuum_table},
+    {"hashed-distance", kHashed,
+     "figures 1, 3, 5, 9 to 11: opacity of models that recede, by every alpha test",
+     reproduce_hashed_distance},
+    {"hashed-parts", kHashed,
+     "sections 5.3, 5.4: strobing, layers and noise that swims, with parts left out",
+     reproduce_hashed_parts},
+    {"hashed-anisotropy", kHashed, "figures 7, 14: the noise's shape on surfaces seen at an angle",
+     reproduce_hashed_anisotropy},
+    {"hashed-stability", kHashed, "figure 13: what changes when a model moves by part of a pixel",
+     reproduce_hashed_stability},
+    {"hashed-temporal", kHashed, "section 7.2.3: orders of thresholds under an exponential average",
+     reproduce_hashed_temporal},
+    {"hashed-cost", kHashed, "table 1: times beside those of an alpha test, on ten scenes",
+     reproduce_hashed_cost},
     {"moment-layers", kMoment,
      "errors of functions of depth by the number of layers, 1 to 128: where each breaks",
      reproduce_moment_layers},

@@ -1,0 +1,120 @@
+// sheer reproduce: the entries of hashed alpha testing, in short, where theory says what they must
+// show. Looks and places are fixed, so that each bound either holds or does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/quick_entry.h"
+#include "cli/run_tool.h"
+
+namespace sheer::test {
+namespace {
+
+using Json = nlohmann::json;
+
+// In units of errors that are estimated from 8 or 12 numbers themselves: Student's t with 7 degrees
+// of freedom is beyond this once in 1,800 times, so that of 32 such numbers one is once in 60 runs.
+constexpr double kLargestZ = 6;
+
+TEST(CliReproduceHashed, OpacityStaysWithDistance)
+{
+    const Json json = reproduce(Tool(), "hashed-distance");
+    ASSERT_EQ(json["tables"].size(), 5u);
+    for (std::size_t model = 0; model < 4; ++model) {
+        int stayed = 0;
+        for (const Json& row : json["tables"][model]["rows"]) {
+            const double part = row["of truth"];
+            const std::string method = row["method"];
+            if (method == "alpha test" && row["pixels"] == 8) {
+                EXPECT_LT(part, 0.8) << row;  // three of four texels are absent, or more
+            }
+            if (method == "stochastic" || method == "hashed") {
+                const bool within = std::abs(part - 1) <= 0.02;
+                EXPECT_TRUE(within || std::abs(row["z"].get<double>()) < kLargestZ) << row;
+                ++stayed;
+            }
+        }
+        EXPECT_EQ(stayed, 2 * 2);
+    }
+}
+
+TEST(CliReproduceHashed, PartsAreNeeded)
+{
+    const Json json = reproduce(Tool(), "hashed-parts");
+    ASSERT_EQ(json["tables"].size(), 3u);
+    double least = 1;
+    for (const Json& row : json["tables"][0]["rows"]) {
+        EXPECT_LT(std::abs(row["its z"].get<double>()), kLargestZ) << row;
+        EXPECT_LT(std::abs(row["z"].get<double>()), kLargestZ) << row;
+        least = std::min(least, row["without=uniform"].get<double>());
+    }
+    EXPECT_LT(least, 0.16);  // 1/8 in the middle of an octave
+    for (const Json& row : json["tables"][1]["rows"]) {
+        const bool without = row["method"].get<std::string>().ends_with("without=third");
+        const double through = row["through both"], error = row["error"];
+        if (without) {
+            // One threshold for both: half passes neither.
+            EXPECT_NEAR(through, 0.5, kLargestZ * error) << row;
+        } else if (row["pixels apart"].get<double>() >= 4) {
+            EXPECT_NEAR(through, 0.25, kLargestZ * error) << row;
+        }
+    }
+    for (const Json& row : json["tables"][2]["rows"]) {
+        EXPECT_LT(row["octaves"], row["without=octaves"]) << row;
+        EXPECT_LE(row["without=octaves"].get<double>(),
+                  0.5 + kLargestZ * row["error"].get<double>());
+    }
+}
+
+TEST(CliReproduceHashed, NoiseIsRoundWithASizeForEachAxis)
+{
+    const Json json = reproduce(Tool(), "hashed-anisotropy");
+    for (const Json& row : json["tables"][0]["rows"]) {
+        const double shape = row["across / down"], expected = row["1 / cos"];
+        if (row["axes"] != "along") continue;
+        // Sizes are powers of 2, of which two are mixed: within a factor of 2 of what they should
+        // be.
+        const bool isotropic = row["variant"] == "isotropic";
+        EXPECT_GT(shape, (isotropic ? expected : 1) / 2) << row;
+        EXPECT_LT(shape, (isotropic ? expected : 1) * 2) << row;
+    }
+}
+
+TEST(CliReproduceHashed, HashedPicturesAreStill)
+{
+    const Json json = reproduce(Tool(), "hashed-stability");
+    ASSERT_EQ(json["tables"].size(), 2u);
+    EXPECT_EQ(json["tables"][0]["rows"].size(), 4u * 3u);
+    for (const Json& row : json["tables"][0]["rows"]) {
+        EXPECT_LT(row["hashed"], row["stochastic"]) << row;
+    }
+}
+
+TEST(CliReproduceHashed, OrdersFlickerLessAndLess)
+{
+    const Json json = reproduce(Tool(), "hashed-temporal");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 2u * 3u * 3u);
+    for (std::size_t i = 0; i < rows.size(); i += 3) {
+        EXPECT_GT(rows[i]["opacity 0.500"], rows[i + 1]["opacity 0.500"]);
+        EXPECT_GT(rows[i + 1]["opacity 0.250"], rows[i + 2]["opacity 0.250"]);
+        for (std::size_t order = i; order < i + 3; ++order) {
+            EXPECT_NEAR(rows[order]["opacity 0.250"].get<double>(),
+                        rows[order]["opacity 0.750"].get<double>(), 1e-9);
+        }
+    }
+}
+
+TEST(CliReproduceHashed, CostIsMeasuredInTurns)
+{
+    const Json json = reproduce(Tool(), "hashed-cost");
+    ASSERT_EQ(json["tables"][0]["rows"].size(), 2u);
+    for (const Json& row : json["tables"][0]["rows"]) EXPECT_GT(row["hashed"].get<double>(), 0);
+}
+
+}  // namespace
+}  // namespace sheer::test
