@@ -87,7 +87,9 @@ void check_request(CompareRequest& request)
 // stochastic:masks=naive at 8 samples: "stochastic-masks=naive.s8".
 std::string file_stem(std::string method, int samples)
 {
-    std::replace(method.begin(), method.end(), ':', '-');
+    for (const char separator : {':', '/'}) {
+        std::replace(method.begin(), method.end(), separator, '-');
+    }
     return method + ".s" + std::to_string(samples);
 }
 std::string file_stem(const Compared& compared)

@@ -11,6 +11,7 @@
 #include "cpu/frame_job.h"
 #include "cpu/frame_memory.h"
 #include "cpu/frame_stats.h"
+#include "cpu/reduced_pictures.h"
 #include "cpu/shadow_maps.h"
 #include "cpu/stopwatch.h"
 #include "geometry/build.h"
@@ -53,7 +54,8 @@ std::unique_ptr<Worker> make_worker(const FrameJob& job)
                                job.eye,
                                job.stream_capacity,
                                traits.bounded ? ~std::size_t{0} : job.store_bytes,
-                               job.filter.reach() > 0};
+                               job.filter.reach() > 0,
+                               job.reduced[i] != nullptr ? &job.reduced[i]->moments : nullptr};
         worker->stores.push_back({&job.verbs[i], job.verbs[i].make(shape), traits.divides,
                                   std::vector<Stopwatch>(static_cast<std::size_t>(traits.passes))});
     }
@@ -227,6 +229,9 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
         job.verbs.push_back(
             (colored ? row.colored_verbs : row.verbs)(targets, take.method, samples.count));
     }
+    const auto reduced =
+        draw_reduced_pictures(job, scene, projection, targets, geometry_threads, options);
+    for (const auto& picture : reduced) job.reduced.push_back(picture ? &*picture : nullptr);
     job.stream_capacity = stream_capacity(job.groups);
     const MemoryPlan memory =
         plan_frame_memory(job, options, request.reserved_memory, geometry_threads);

@@ -13,6 +13,8 @@
 
 namespace sheer {
 
+struct ReducedPicture;
+
 // What all tiles read.
 struct FrameJob {
     std::span<const Take> takes;
@@ -29,6 +31,8 @@ struct FrameJob {
     int stream_capacity;
     std::size_t store_bytes;  // for a store that grows
     FragmentSink* sink;       // or null
+    // Of each take, or null.
+    std::vector<const ReducedPicture*> reduced = {};
 };
 
 // What one thread works with, tile after tile.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "cpu/reduced_pictures.h"
+
 namespace sheer {
 
 namespace {
@@ -62,12 +64,16 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
     stats.method = method.row->id;
     stats.parameters = method.parameters_text();
     stats.passes = method.traits().passes;
+    if (job.reduced[number] != nullptr) {
+        stats.ms_passes.push_back({"reduced moments", job.reduced[number]->ms});
+    }
     sum_up(workers, job, number, stats);
     // Of several takes each would have needed the geometry and its own stages.
     if (job.takes.size() > 1) {
         stats.ms_total =
             stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
         for (const PassTime& shared : common_passes) stats.ms_total += shared.ms;
+        if (job.reduced[number] != nullptr) stats.ms_total += job.reduced[number]->ms;
     }
     const double pixels = static_cast<double>(stats.width) * stats.height;
     stats.bytes_per_pixel = method.traits().bytes_per_pixel(

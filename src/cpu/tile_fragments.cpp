@@ -304,7 +304,7 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
     list_triangles(job, scratch.triangles);
     stream.clear();
     opaque.any = false;
-    if (job.surfaces->any_opaque) {
+    if (job.surfaces->any_opaque && job.part != TilePart::transparent) {
         for_each_triangle(job, scratch.triangles,
                           [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface)
                               HWY_ATTR {
@@ -312,6 +312,7 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
                               });
         if (batch.count > 0) draw_opaque(tile);
     }
+    if (job.part == TilePart::opaque) return true;
     for_each_transparent(job, scratch, [&](const TriangleChunk& chunk, const Triangle& t) HWY_ATTR {
         if (tile.wanted) draw(chunk, t, draw_transparent);
     });

@@ -15,6 +15,9 @@
 
 namespace sheer {
 
+// Of a tile's surfaces.
+enum class TilePart { all, opaque, transparent };
+
 struct TileJob {
     const Geometry* geometry;
     const FrameSurfaces* surfaces;
@@ -23,6 +26,7 @@ struct TileJob {
     PixelRect rect;    // of the picture; at most kTileSize across
     PixelRect region;  // the part of it that is wanted
     FragmentWants wants = {};
+    TilePart part = TilePart::all;  // the others are left out
 };
 
 struct TileTriangle {

@@ -292,7 +292,8 @@ Eye make_eye(const GeometryJob& job)
 Geometry build_geometry(const GeometryJob& job)
 {
     const ScreenMap map(job.projection, job.grid.width, job.grid.height);
-    const DrawnObjects drawn(job.scene, job.projection, job.grid.height);
+    const DrawnObjects drawn(job.scene, job.projection,
+                             job.line_rows > 0 ? job.line_rows : job.grid.height);
     PosedScene posed = pose_scene(job.scene, drawn, job.projection, map, job.threads);
     pose_places(job.scene, drawn, job.places, posed);
     Geometry geometry;

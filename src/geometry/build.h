@@ -14,6 +14,7 @@ struct GeometryJob {
     SampleExtent samples;
     int threads;
     PlaceSpaces places = {};  // Geometry::places that are wanted
+    int line_rows = 0;        // of the picture that lines' widths in pixels are of; 0: the grid's
 };
 
 // Throws Error(Fault::input) when the scene is too large for its numbering.

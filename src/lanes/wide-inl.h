@@ -35,6 +35,8 @@ struct WideLanes {
         {
             return hn::PromoteTo(D(), hn::LoadU(Float(), p));
         }
+        static HWY_INLINE real load(const double* p) { return hn::LoadU(D(), p); }
+        HWY_INLINE void store(double* p) const { hn::StoreU(v, D(), p); }
         // Rounded to floats.
         HWY_INLINE void store(float* p) const { hn::StoreU(hn::DemoteTo(Float(), v), Float(), p); }
         friend HWY_ATTR HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
@@ -54,6 +56,11 @@ struct WideLanes {
         static HWY_INLINE whole load(const std::int64_t* p) { return hn::LoadU(I(), p); }
         static HWY_INLINE whole bits_of(real x) { return hn::BitCast(I(), x.v); }
         HWY_INLINE void store(std::int64_t* p) const { hn::StoreU(v, I(), p); }
+        // Lane 0 of each of the four, then lane 1, ...
+        static HWY_INLINE void store_in_turns(const whole (&four)[4], std::int64_t* p)
+        {
+            hn::StoreInterleaved4(four[0].v, four[1].v, four[2].v, four[3].v, I(), p);
+        }
         // Wraps around.
         friend HWY_ATTR HWY_INLINE whole operator+(whole a, whole b) { return hn::Add(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE whole operator-(whole a, whole b) { return hn::Sub(a.v, b.v); }

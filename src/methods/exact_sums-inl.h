@@ -43,6 +43,15 @@ HWY_INLINE typename W::whole exact_units(typename W::real x, const ExactGrid& gr
     return W::whole::bits_of(x + magic) - W::whole::bits_of(magic);
 }
 
+// Of sums that follow one another.
+HWY_INLINE void add_four(const std::int64_t* units, std::int64_t* sums)
+{
+    using Four = WideLanes<4>;
+    for (std::size_t k = 0; k < 4; k += Four::kCount) {
+        (Four::whole::load(sums + k) + Four::whole::load(units + k)).store(sums + k);
+    }
+}
+
 template <class W>
 HWY_INLINE typename W::real exact_sum(const std::int64_t* units, const ExactGrid& grid)
 {

@@ -80,10 +80,10 @@ private:
     bool damped_;
 };
 
-StoreVerbs fourier_store(int terms, int samples)
+StoreVerbs fourier_store(int terms, int samples, bool of_pixels)
 {
-    if (terms == 3) return StoreOf<FourierFunction<3>>::make(samples);
-    return StoreOf<FourierFunction<7>>::make(samples);
+    if (terms == 3) return StoreOf<FourierFunction<3>>::make(samples, of_pixels);
+    return StoreOf<FourierFunction<7>>::make(samples, of_pixels);
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -96,7 +96,8 @@ HWY_EXPORT(fourier_store);
 
 StoreVerbs fourier_verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
-    return SHEER_DISPATCH(fourier_store, targets)(method.number("terms"), samples);
+    return SHEER_DISPATCH(fourier_store, targets)(method.number("terms"), samples,
+                                                  method.value("store") == "pixel");
 }
 
 }  // namespace sheer

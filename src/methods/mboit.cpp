@@ -93,12 +93,12 @@ private:
     MboitSettings settings_;
 };
 
-StoreVerbs mboit_power_store(int half, int samples)
+StoreVerbs mboit_power_store(int half, int samples, bool of_pixels)
 {
     switch (half) {
-        case 2: return StoreOf<PowerFunction<2>>::make(samples);
-        case 3: return StoreOf<PowerFunction<3>>::make(samples);
-        default: return StoreOf<PowerFunction<4>>::make(samples);
+        case 2: return StoreOf<PowerFunction<2>>::make(samples, of_pixels);
+        case 3: return StoreOf<PowerFunction<3>>::make(samples, of_pixels);
+        default: return StoreOf<PowerFunction<4>>::make(samples, of_pixels);
     }
 }
 
@@ -110,13 +110,16 @@ namespace sheer {
 
 HWY_EXPORT(mboit_power_store);
 
-StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half, int samples);
+StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half, int samples, bool of_pixels);
 
 StoreVerbs mboit_verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
     const MboitSettings settings = mboit_settings(method);
-    if (settings.trigonometric) return mboit_trigonometric_verbs(targets, settings.half, samples);
-    return SHEER_DISPATCH(mboit_power_store, targets)(settings.half, samples);
+    const bool of_pixels = method.value("store") == "pixel";
+    if (settings.trigonometric) {
+        return mboit_trigonometric_verbs(targets, settings.half, samples, of_pixels);
+    }
+    return SHEER_DISPATCH(mboit_power_store, targets)(settings.half, samples, of_pixels);
 }
 
 }  // namespace sheer

@@ -110,12 +110,12 @@ private:
     WrappingZone zone_ = wrapping_zone();
 };
 
-StoreVerbs mboit_trigonometric_store(int half, int samples)
+StoreVerbs mboit_trigonometric_store(int half, int samples, bool of_pixels)
 {
     switch (half) {
-        case 2: return StoreOf<TrigonometricFunction<2>>::make(samples);
-        case 3: return StoreOf<TrigonometricFunction<3>>::make(samples);
-        default: return StoreOf<TrigonometricFunction<4>>::make(samples);
+        case 2: return StoreOf<TrigonometricFunction<2>>::make(samples, of_pixels);
+        case 3: return StoreOf<TrigonometricFunction<3>>::make(samples, of_pixels);
+        default: return StoreOf<TrigonometricFunction<4>>::make(samples, of_pixels);
     }
 }
 
@@ -127,9 +127,9 @@ namespace sheer {
 
 HWY_EXPORT(mboit_trigonometric_store);
 
-StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half, int samples)
+StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half, int samples, bool of_pixels)
 {
-    return SHEER_DISPATCH(mboit_trigonometric_store, targets)(half, samples);
+    return SHEER_DISPATCH(mboit_trigonometric_store, targets)(half, samples, of_pixels);
 }
 
 }  // namespace sheer

@@ -14,6 +14,7 @@
 
 #include <sheer/scene.h>
 
+#include "geometry/tile_grid.h"
 #include "geometry/triangles.h"
 #include "lanes/targets.h"
 #include "raster/fragments.h"
@@ -89,6 +90,8 @@ struct EyeSpace {
     float nearest = 1, farthest = 0;
 };
 
+struct ReducedMoments;
+
 struct StoreShape {
     const SampleSet* samples;  // outlives the store
     const ChosenMethod* method;
@@ -97,6 +100,8 @@ struct StoreShape {
     std::size_t most_bytes = ~std::size_t{0};  // for a store without bound: what it may take
     // Whether pixels are more than the means of their own samples.
     bool filter_mixes_pixels = true;
+    // Of a method with MethodTraits::reduction above 1: of the whole picture, or null: of nothing.
+    const ReducedMoments* reduced = nullptr;
 };
 
 // Where a frame is among those whose mean is one picture.
@@ -127,6 +132,18 @@ struct StoreVerbs {
     // pass to the eye from a depth, as fragments have it; the mean over a pixel's samples. Null: it
     // keeps none.
     float (*transmittance)(void* store, std::size_t pixel, float depth) = nullptr;
+};
+
+// What a method adds up of a picture of fewer pixels, tile by tile, before the tiles of the picture
+// itself are drawn. Of each tile: clear, insert as often as MethodTraits::reduced_passes says,
+// write.
+struct ReducedVerbs {
+    std::shared_ptr<void> (*make)(const StoreShape& shape);
+    void (*clear)(void* store);
+    // `farthest`: of each of the tile's pixels; what lies behind is not seen.
+    void (*insert)(void* store, const FragmentStream& stream, const float* farthest, int pass);
+    // The pixels of `rect`, which the tile holds.
+    void (*write)(void* store, const PixelRect& rect, ReducedMoments& to);
 };
 
 template <class Store>
@@ -215,6 +232,7 @@ struct MethodTraits {
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
     int bytes_per_fragment_and_sample = 0;  // at most
     int bytes_of_tables = 0;                // of all stores together, at most
+    double bytes_of_reduced = 0;            // of a reduced picture, a pixel of the whole
     int bytes_per_streamed = 0;  // what the store notes of each fragment of a stream, besides
     // What a GPU's textures for the same take a pixel of one sample, in the paper's formats; 0: the
     // paper does not say.
@@ -230,11 +248,15 @@ struct MethodTraits {
     bool within_inputs = true;    // no colour exceeds the largest of fragments and backdrop
     bool divides = false;         // after the filter: SampleColors::fraction
     bool measures_depth = false;  // wants EyeSpace::nearest and farthest
+    // Pixels across that are one of a reduced picture, which is drawn first, in so many passes over
+    // its fragments, and has so many numbers a pixel.
+    int reduction = 1, reduced_passes = 0, reduced_numbers = 0;
 
     double bytes_per_pixel(int samples, double fragments_per_pixel) const
     {
         return bytes_per_sample * samples + bytes_per_fragment * fragments_per_pixel +
-               bytes_per_fragment_and_sample * fragments_per_pixel * samples + bytes_besides;
+               bytes_per_fragment_and_sample * fragments_per_pixel * samples + bytes_besides +
+               bytes_of_reduced;
     }
     std::string bytes_formula() const;  // in S, the samples, and N, the pixel's fragments
 };
@@ -259,6 +281,7 @@ struct MethodRow {
     // The same for scenes with coloured glass; null: takes the mean over the channels.
     StoreVerbs (*colored_verbs)(TargetSet targets, const ChosenMethod& method,
                                 int samples) = nullptr;
+    ReducedVerbs (*reduced_verbs)(TargetSet targets, const ChosenMethod& method) = nullptr;
     FragmentWants (*wants)(const ChosenMethod& method) = nullptr;     // null: nothing special
     MethodTraits (*traits_of)(const ChosenMethod& method) = nullptr;  // null: always `traits`
     // Why the values do not go together or not with so many samples, after "method: ID: "; empty

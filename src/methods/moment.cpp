@@ -8,8 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "methods/moment_settings.h"
-#include "methods/transmittance_pixels-inl.h"
-#include "methods/transmittance_samples-inl.h"
+#include "methods/reduced_pixels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -71,6 +70,21 @@ public:
         prepare_curve<W>(sums, state + kCurve * stride, stride);
     }
 
+    // Of a reduced picture, where 16 bits are kept of each texel. What is mixed has its weights: a
+    // texel of nothing has none.
+    template <class W>
+    HWY_INLINE void round_texels(typename W::real (&sums)[kSums]) const
+    {
+        if (settings_.format == MomentFormat::fp32) return;
+        using Text = MomentText<Lanes<W::kCount>>;
+        const typename W::real divisor = depth_divisor<W>(sums[0]);
+        typename W::real m[9];
+        for (std::size_t k = 0; k < kSums; ++k) m[k] = sums[k] / divisor;
+        in_format<W>(m);
+        sums[0] = widened<W>(Text::half_float(narrowed<W>(sums[0])));
+        for (std::size_t k = 1; k < kSums; ++k) sums[k] = sums[0] * m[k];
+    }
+
     template <class L, class State>
     HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
     {
@@ -90,9 +104,9 @@ private:
         typename Wide::PowerMoments m;
         const Real divisor = depth_divisor<W>(sums[0]);
         for (std::size_t k = 0; k < kSums; ++k) m.m[k] = sums[k] / divisor;
-        if (settings_.format == MomentFormat::fp16 || settings_.format == MomentFormat::unorm16) {
-            in_format<W>(m.m);
-        }
+        const MomentFormat format =
+            settings_.reduction > 1 ? MomentFormat::fp32 : settings_.format;  // of texels, then
+        if (format == MomentFormat::fp16 || format == MomentFormat::unorm16) in_format<W>(m.m);
         const typename Wide::MomentBias bias{
             Real(settings_.bias), {Real(1), Real(settings_.even2), Real(settings_.even4)}};
         const auto r =
@@ -100,8 +114,8 @@ private:
         auto curve = Text::moment_curve(narrowed<W>(r.a[0]), narrowed<W>(r.a[1]),
                                         narrowed<W>(r.b[1]), narrowed<W>(r.b[2]),
                                         narrowed<W>(W::sqrt(r.b[1])), narrowed<W>(sums[0]));
-        if (settings_.format != MomentFormat::fp32) curve.depth = Text::half_float(curve.depth);
-        if (settings_.format == MomentFormat::nlqm) {
+        if (format != MomentFormat::fp32) curve.depth = Text::half_float(curve.depth);
+        if (format == MomentFormat::nlqm) {
             curve = Text::curve_of_quantised(Text::quantised_moments(curve), curve.depth);
         }
         curve.mean.store(state);
@@ -144,24 +158,26 @@ private:
     MomentSettings settings_;
 };
 
-template <bool Again>
-struct MomentStores {
+template <class Function>
+struct ReducedStores {
     template <int S>
-    using Samples = TransmittanceSamples<S, MomentFunction<Again>>;
-    template <int S>
-    using Pixels = TransmittancePixels<S, MomentFunction<Again>>;
-
-    static StoreVerbs make(int samples, bool of_pixels)
-    {
-        if (of_pixels || samples == 1) return verbs_for_samples<Pixels>(samples);
-        return verbs_for_samples<Samples>(samples);
-    }
+    using Pixels = ReducedPixels<S, Function>;
 };
 
-StoreVerbs moment_store(int samples, bool of_pixels, bool again)
+StoreVerbs moment_store(int samples, bool of_pixels, bool reduced, bool again)
 {
-    return again ? MomentStores<true>::make(samples, of_pixels)
-                 : MomentStores<false>::make(samples, of_pixels);
+    if (reduced) {
+        return again ? verbs_for_samples<ReducedStores<MomentFunction<true>>::Pixels>(samples)
+                     : verbs_for_samples<ReducedStores<MomentFunction<false>>::Pixels>(samples);
+    }
+    return again ? StoreOf<MomentFunction<true>>::make(samples, of_pixels)
+                 : StoreOf<MomentFunction<false>>::make(samples, of_pixels);
+}
+
+ReducedVerbs reduced_moment_store(bool again)
+{
+    return again ? reduced_verbs_of<MomentFunction<true>>()
+                 : reduced_verbs_of<MomentFunction<false>>();
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -171,11 +187,18 @@ HWY_AFTER_NAMESPACE();
 namespace sheer {
 
 HWY_EXPORT(moment_store);
+HWY_EXPORT(reduced_moment_store);
 
 StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
+    const MomentSettings settings = moment_settings(method);
     return SHEER_DISPATCH(moment_store, targets)(samples, method.value("store") == "pixel",
-                                                 method.number("moment-passes") == 2);
+                                                 settings.reduction > 1, settings.passes == 2);
+}
+
+ReducedVerbs reduced_moment_verbs(TargetSet targets, const ChosenMethod& method)
+{
+    return SHEER_DISPATCH(reduced_moment_store, targets)(moment_settings(method).passes == 2);
 }
 
 }  // namespace sheer

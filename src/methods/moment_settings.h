@@ -13,7 +13,9 @@ struct MomentSettings {
     float overestimation;
     bool adapts;  // instead of that
     MomentFormat format;
-    int passes;  // over the moments
+    int passes;           // over the moments
+    int reduction;        // pixels across that have the moments of one texel
+    bool is_depth_aware;  // pixels add up two numbers of their own
 
     // The measure that is mixed in, for even powers 2 and 4, and how much of it.
     double bias, even2, even4;
@@ -33,6 +35,9 @@ inline MomentSettings moment_settings(const ChosenMethod& method)
     s.overestimation = s.adapts ? 0.0f : static_cast<float>(method.real("overestimation"));
     s.format = moment_format(method.value("format"));
     s.passes = method.number("moment-passes");
+    const std::string& resolution = method.value("resolution");
+    s.reduction = resolution == "1" ? 1 : std::stoi(resolution.substr(2));  // 1/N
+    s.is_depth_aware = s.reduction > 1 && method.value("upsample") == "depth-aware";
     switch (s.format) {
         // Peters, Muenstermann, Wetzstein and Klein. Improved Moment Shadow Maps for Translucent
         // Occluders, Soft Shadows and Single Scattering. JCGT 6(1), 2017: of single precision, and

@@ -38,6 +38,21 @@ HWY_INLINE typename W::real depth_divisor(typename W::real depth)
     return W::max(depth, typename W::real(0x1p-38));
 }
 
+// Where a run's fragments are between near and far, at their pixels' centres. There is room for
+// FragmentStream::kSlack more.
+HWY_INLINE void warp_depths(const DepthRange& range, const FragmentStream& f,
+                            const FragmentRun& run, float* places)
+{
+    using Block = Lanes<16>;
+    using Real = Block::real;
+    for (std::size_t i = run.first; i < run.first + run.count; i += Block::kCount) {
+        TransmittanceText<Block>::warped_depth(
+            range.is_distance, depth_at_centers<Block>(run.depth, f.depth.data() + i),
+            Real(range.from), Real(range.scale))
+            .store(places + i);
+    }
+}
+
 // Of each sample the nearest fragment with opacity 1; of the tile the brightest colour. A pass of
 // its own finds them. 20 bytes a sample, and 1 a pixel.
 template <int S>
@@ -105,12 +120,7 @@ public:
     {
         for (int r = 0; r < f.run_count; ++r) {
             const FragmentRun& run = f.runs[r];
-            for (std::size_t i = run.first; i < run.first + run.count; i += Block::kCount) {
-                TransmittanceText<Block>::warped_depth(
-                    range_.is_distance, depth_at_centers<Block>(run.depth, f.depth.data() + i),
-                    Real(range_.from), Real(range_.scale))
-                    .store(places_.data() + i);
-            }
+            warp_depths(range_, f, run, places_.data());
             if (any_opaque_) leave_out_hidden(f, run);
         }
     }
@@ -136,6 +146,8 @@ public:
     }
 
     bool touched(std::size_t pixel) const { return touched_[pixel] != 0; }
+    const char* touched() const { return touched_; }  // of each pixel, not 0 if it is
+    bool any_opaque() const { return any_opaque_; }
     // No colour is above 2 to the exponent's power, but for those that no picture has.
     ExactGrid color_grid() const
     {

@@ -10,6 +10,7 @@ StoreVerbs fourier_verbs(TargetSet targets, const ChosenMethod& method, int samp
 StoreVerbs mboit_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs wavelet_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+ReducedVerbs reduced_moment_verbs(TargetSet targets, const ChosenMethod& method);
 
 namespace {
 
@@ -51,16 +52,46 @@ MethodTraits transmittance_traits(int moment_passes, int sums, int state, bool o
     return traits;
 }
 
+// Pixels keep what they read of the reduced picture, and if they are to, two sums of their own.
+MethodTraits reduced_traits(const MomentSettings& settings)
+{
+    const int numbers = 5 * settings.passes;
+    MethodTraits traits = transmittance_traits(0, 5, numbers, true);
+    if (settings.is_depth_aware) {
+        traits.passes = 3;
+        traits.pass_names = {"opaque", "own depth", "accumulation"};
+        traits.bytes_besides += 16;
+    }
+    traits.reduction = settings.reduction;
+    traits.reduced_passes = settings.passes;
+    traits.reduced_numbers = numbers;
+    traits.bytes_of_reduced = 8.0 * numbers / (settings.reduction * settings.reduction);
+    return traits;
+}
+
 // The paper's table 1: colour in four halves and total alpha in a float; four moments and their
-// weight in floats, written; as many halves where the format that is read is another.
+// weight in floats, written; as many halves where the format that is read is another. A pixel's own
+// first moment is a float more.
 MethodTraits moment_traits(const ChosenMethod& method)
 {
     const MomentSettings settings = moment_settings(method);
-    MethodTraits traits = transmittance_traits(settings.passes, 5, 5 * settings.passes,
-                                               method.value("store") == "pixel");
-    traits.texture_bytes = 12 + settings.passes * 20;
-    if (settings.format != MomentFormat::fp32) traits.texture_bytes += settings.passes * 10;
+    MethodTraits traits = settings.reduction > 1
+                              ? reduced_traits(settings)
+                              : transmittance_traits(settings.passes, 5, 5 * settings.passes,
+                                                     method.value("store") == "pixel");
+    const double moments = settings.format == MomentFormat::fp32 ? 20 : 30;
+    traits.texture_bytes = 12 +
+                           settings.passes * moments / (settings.reduction * settings.reduction) +
+                           (settings.is_depth_aware ? 4 : 0);
     return traits;
+}
+
+std::string moment_refusal(const ChosenMethod& method, int)
+{
+    const MomentSettings settings = moment_settings(method);
+    if (settings.reduction == 1 || settings.format != MomentFormat::nlqm) return "";
+    return "format=nlqm can't be mixed between the texels of a resolution below 1; format=fp16 and "
+           "unorm16 can";
 }
 
 // Colour as above; the numbers in floats, and where they are rounded to 16 bits their weight still.
@@ -69,7 +100,8 @@ MethodTraits mboit_traits(const ChosenMethod& method)
     const int moments = method.number("moments"), half = moments / 2;
     const bool trigonometric = method.value("basis") == "trigonometric";
     MethodTraits traits =
-        transmittance_traits(1, moments + 1, trigonometric ? 4 * half + 2 : 3 * half + 1);
+        transmittance_traits(1, moments + 1, trigonometric ? 4 * half + 2 : 3 * half + 1,
+                             method.value("store") == "pixel");
     traits.texture_bytes = 8 + 4 + moments * (method.value("format") == "fp32" ? 4 : 2);
     return traits;
 }
@@ -77,7 +109,8 @@ MethodTraits mboit_traits(const ChosenMethod& method)
 MethodTraits fourier_traits(const ChosenMethod& method)
 {
     const int numbers = 2 * method.number("terms") + 1;
-    MethodTraits traits = transmittance_traits(1, numbers, numbers);
+    MethodTraits traits =
+        transmittance_traits(1, numbers, numbers, method.value("store") == "pixel");
     traits.texture_bytes = 12 + 4 * numbers;
     return traits;
 }
@@ -85,7 +118,8 @@ MethodTraits fourier_traits(const ChosenMethod& method)
 MethodTraits wavelet_traits(const ChosenMethod& method)
 {
     const int cells = 2 << method.number("rank");
-    MethodTraits traits = transmittance_traits(1, cells + 1, cells);
+    MethodTraits traits =
+        transmittance_traits(1, cells + 1, cells, method.value("store") == "pixel");
     traits.texture_bytes = 12 + 4 * cells;
     return traits;
 }
@@ -120,11 +154,19 @@ MethodRow moment_row()
                "of what fragments read; nlqm: non-linearly quantised moments (Peters. HPG 2017)"},
               {"moment-passes", "1|2", "1",
                "2: the second moments are of what the first let be seen, and hide it once more"},
+              {"resolution", "1|1/2|1/4|1/8", "1",
+               "of the picture whose moments pixels read, mixed from the nearest four; below 1 "
+               "each "
+               "pixel has one function, whatever `store` says"},
+              {"upsample", "bilinear|depth-aware", "bilinear",
+               "how these are read; depth-aware: what they lack of a pixel's own depth is put in"},
               kRange,
               kStore},
          .traits = {},
          .verbs = moment_verbs,
-         .traits_of = moment_traits});
+         .reduced_verbs = reduced_moment_verbs,
+         .traits_of = moment_traits,
+         .refusal = moment_refusal});
 }
 
 MethodRow wboit_row()
@@ -154,7 +196,8 @@ MethodRow fourier_row()
          .continuum = sums_of("a Fourier series of optical depth, no layer"),
          .parameters = {{"terms", "3|7", "7", "of the series, besides the constant one"},
                         {"window", "none|lanczos", "none", "what damps the highest terms"},
-                        kRange},
+                        kRange,
+                        kStore},
          .traits = {},
          .verbs = fourier_verbs,
          .traits_of = fourier_traits});
@@ -173,7 +216,8 @@ MethodRow mboit_row()
                         {"basis", "power|trigonometric", "power", "what they are moments of"},
                         {"format", "fp32|unorm16", "fp32", "of what fragments read"},
                         kOverestimation,
-                        kRange},
+                        kRange,
+                        kStore},
          .traits = {},
          .verbs = mboit_verbs,
          .traits_of = mboit_traits});
@@ -186,7 +230,9 @@ MethodRow wavelet_row()
          .title = "Wavelet transparency: optical depth as a series of Haar's wavelets over depth",
          .citation = "Aizenshtein, Smal and McGuire. Wavelet Transparency. 2022",
          .continuum = sums_of("wavelets of optical depth, no layer"),
-         .parameters = {{"rank", "2..4", "3", "of the tree; it has 2^(rank + 1) cells"}, kRange},
+         .parameters = {{"rank", "2..4", "3", "of the tree; it has 2^(rank + 1) cells"},
+                        kRange,
+                        kStore},
          .traits = {},
          .verbs = wavelet_verbs,
          .traits_of = wavelet_traits});

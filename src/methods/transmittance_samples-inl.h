@@ -19,73 +19,10 @@
 #define SHEER_TRANSMITTANCE_SAMPLES_INL_H
 #endif
 
-#include "methods/translucent-inl.h"
+#include "methods/pixel_functions-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
-
-template <class Function>
-concept SparseFunction = requires
-{
-    Function::kTouched;
-};
-
-inline constexpr std::size_t kChunk = 64;  // fragments at a time, in the nearest cache
-
-// How many numbers a fragment adds.
-template <class Function>
-constexpr std::size_t touched_sums()
-{
-    if constexpr (SparseFunction<Function>)
-        return Function::kTouched;
-    else
-        return Function::kSums;
-}
-
-// Those of some fragments, on their grid.
-template <class Function, std::size_t Most>
-struct FragmentUnits {
-    static constexpr std::size_t kCount = touched_sums<Function>();
-    alignas(64) std::int64_t units[kCount][Most];
-    std::uint32_t sums[SparseFunction<Function> ? kCount : 1][Most];
-
-    HWY_INLINE std::size_t sum(std::size_t k, std::size_t i) const
-    {
-        if constexpr (SparseFunction<Function>)
-            return sums[k][i];
-        else
-            return k;
-    }
-
-    // Of `some` fragments; what is beyond them, up to a vector, may be any number.
-    HWY_INLINE void set(const Function& function, const float* places, const float* depths,
-                        std::size_t some)
-    {
-        const ExactGrid grid(-kDepthBits);
-        if constexpr (SparseFunction<Function>) {
-            using One = WideLanes<1>;
-            for (std::size_t i = 0; i < some; ++i) {
-                double addends[kCount];
-                std::uint32_t at[kCount];
-                function.addends_of_one(places[i], depths[i], addends, at);
-                for (std::size_t k = 0; k < kCount; ++k) {
-                    exact_units<One>(One::real(addends[k]), grid).store(&units[k][i]);
-                    sums[k][i] = at[k];
-                }
-            }
-        } else {
-            using Wide = WideLanes<8>;
-            for (std::size_t i = 0; i < some; i += Wide::kCount) {
-                typename Wide::real addends[kCount];
-                function.template addends<Wide>(Wide::real::load(places + i),
-                                                Wide::real::load(depths + i), addends);
-                for (std::size_t k = 0; k < kCount; ++k) {
-                    exact_units<Wide>(addends[k], grid).store(units[k] + i);
-                }
-            }
-        }
-    }
-};
 
 template <int S, class Function>
 class TransmittanceSamples {
@@ -123,10 +60,10 @@ public:
         with_sample_count<S>(set_.count, [&](auto samples) HWY_ATTR {
             if (pass == 1) {
                 add_depths<samples>(f);
-            } else if (pass <= moment_passes_) {
-                add_seen_depths<samples>(f);
-            } else {
+            } else if (pass > moment_passes_) {
                 add_colors<samples>(f);
+            } else if constexpr (PreparesAgain<Function, W>) {
+                add_seen_depths<samples>(f);
             }
         });
     }
@@ -161,14 +98,10 @@ public:
     float transmittance_at(std::size_t pixel, float depth)
     {
         for (; pass_ <= moment_passes_; ++pass_) finish_pass();
-        const real place(fragments_.place(depth));
+        alignas(64) float lights[kMaxSamples];
+        find_transmittances(pixel, fragments_.place(depth), lights);
         return mean_over_samples<L>(count(), [&](std::size_t s) HWY_ATTR {
-            real light(1.0f);
-            with_sample_count<S>(set_.count, [&](auto samples) HWY_ATTR {
-                const State<samples> state{state_of(pixel, s)};
-                light = function_.template transmittance<L>(state, place);
-            });
-            return fragments_.shown(light, pixel, s, depth);
+            return fragments_.shown(real::load(lights + s), pixel, s, depth);
         });
     }
 
@@ -208,7 +141,7 @@ private:
                 typename W::whole(std::int64_t{0}).store(at + k * count());
             }
             float* state = state_of(pixel, s);
-            if constexpr (requires { function_.template prepare_again<W>(sums, state, count()); }) {
+            if constexpr (PreparesAgain<Function, W>) {
                 if (!first) return function_.template prepare_again<W>(sums, state, count());
             }
             function_.template prepare<W>(sums, state, count());
@@ -248,7 +181,7 @@ private:
             const auto shown = W::mask_of_bits(fragments_.samples(f, i, s));
             for (std::size_t k = 0; k < units.kCount; ++k) {
                 std::int64_t* at = sums + units.sum(k, in_chunk) * Samples + s;
-                const typename W::whole addend(units.units[k][in_chunk]);
+                const typename W::whole addend(units.unit(k, in_chunk));
                 (W::whole::load(at) + W::zero_unless(shown, addend)).store(at);
             }
         }
@@ -258,25 +191,23 @@ private:
     template <int Samples>
     HWY_INLINE void add_seen_depths(const FragmentStream& f)
     {
-        if constexpr (!SparseFunction<Function>) {
-            const ExactGrid grid(-kDepthBits);
-            for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
-                std::int64_t* sums = sums_.data() + f.pixel[i] * kSums * Samples;
-                const typename W::real place(static_cast<double>(fragments_.places()[i]));
-                for (std::size_t s = 0; s < Samples; s += L::kCount) {
-                    const real seen = L::zero_unless(
-                        L::mask_of_bits(fragments_.samples(f, i, s)),
-                        real(f.opacity[i]) * transmittance<Samples>(f.pixel[i], s, i));
-                    alignas(64) float depths[L::kCount];
-                    Text::optical_depth(seen).store(depths);
-                    for (std::size_t j = 0; j < L::kCount; j += W::kCount) {
-                        typename W::real addends[Function::kSums];
-                        function_.template addends<W>(place, W::real::load(depths + j), addends);
-                        for (std::size_t k = 0; k < Function::kSums; ++k) {
-                            std::int64_t* at = sums + k * Samples + s + j;
-                            (W::whole::load(at) + exact_units<W>(addends[k], grid)).store(at);
-                        }
-                    }
+        const ExactGrid grid(-kDepthBits);
+        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
+            std::int64_t* sums = sums_.data() + f.pixel[i] * kSums * Samples;
+            const typename W::real place(static_cast<double>(fragments_.places()[i]));
+            alignas(64) float values[kMaxSamples];
+            find_transmittances(f.pixel[i], fragments_.places()[i], values);
+            for (std::size_t s = 0; s < Samples; s += L::kCount) {
+                const real seen = L::zero_unless(L::mask_of_bits(fragments_.samples(f, i, s)),
+                                                 real(f.opacity[i]) * real::load(values + s));
+                Text::optical_depth(seen).store(values + s);
+            }
+            for (std::size_t s = 0; s < Samples; s += W::kCount) {
+                typename W::real addends[Function::kSums];
+                function_.template addends<W>(place, W::real::load(values + s), addends);
+                for (std::size_t k = 0; k < Function::kSums; ++k) {
+                    std::int64_t* at = sums + k * Samples + s;
+                    (W::whole::load(at) + exact_units<W>(addends[k], grid)).store(at);
                 }
             }
         }
@@ -288,11 +219,12 @@ private:
         const ExactGrid weights(-kColorBits), colors = fragments_.color_grid();
         for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); ++i) {
             std::int64_t* sums = sums_.data() + f.pixel[i] * kSums * Samples;
+            alignas(64) float through[kMaxSamples];
+            find_transmittances(f.pixel[i], fragments_.places()[i], through);
             for (std::size_t s = 0; s < Samples; s += L::kCount) {
-                const real weight =
-                    L::zero_unless(L::mask_of_bits(fragments_.samples(f, i, s)),
-                                   Text::visible_alpha(transmittance<Samples>(f.pixel[i], s, i),
-                                                       real(f.opacity[i])));
+                const real weight = L::zero_unless(
+                    L::mask_of_bits(fragments_.samples(f, i, s)),
+                    Text::visible_alpha(real::load(through + s), real(f.opacity[i])));
                 const real3 color = weight * color_of<Text>(f, i);
                 add_exactly<L, W>(color.x, colors, sums + s);
                 add_exactly<L, W>(color.y, colors, sums + Samples + s);
@@ -303,23 +235,25 @@ private:
     }
 
     // What is kept for samples s, s + 1, ... of a pixel.
-    template <int Samples>
     struct State {
         const float* from;
+        std::size_t count;
 
-        HWY_INLINE real operator[](std::size_t k) const { return real::load(from + k * Samples); }
+        HWY_INLINE real operator[](std::size_t k) const { return real::load(from + k * count); }
         // The same of all lanes.
         HWY_INLINE real at(typename L::whole k) const
         {
-            return real::load(from + static_cast<std::size_t>(k.first()) * Samples);
+            return real::load(from + static_cast<std::size_t>(k.first()) * count);
         }
     };
-    // Of fragment i.
-    template <int Samples>
-    HWY_INLINE real transmittance(std::size_t pixel, std::size_t s, std::size_t i) const
+    // At all samples of a pixel. The longest of a store's code, and there but once.
+    HWY_NOINLINE void find_transmittances(std::size_t pixel, float place, float* values) const
     {
-        const State<Samples> state{state_.data() + pixel * (kState + 1) * Samples + s};
-        return function_.template transmittance<L>(state, real(fragments_.places()[i]));
+        const real at(place);
+        const float* from = state_.data() + pixel * (kState + 1) * count();
+        for (std::size_t s = 0; s < count(); s += L::kCount) {
+            function_.template transmittance<L>(State{from + s, count()}, at).store(values + s);
+        }
     }
 
     const SampleSet& set_;

@@ -91,12 +91,12 @@ private:
     static constexpr double kRoots[5] = {1, 0x1.6a09e667f3bcdp+0, 2, 0x1.6a09e667f3bcdp+1, 4};
 };
 
-StoreVerbs wavelet_store(int rank, int samples)
+StoreVerbs wavelet_store(int rank, int samples, bool of_pixels)
 {
     switch (rank) {
-        case 2: return StoreOf<WaveletFunction<2>>::make(samples);
-        case 3: return StoreOf<WaveletFunction<3>>::make(samples);
-        default: return StoreOf<WaveletFunction<4>>::make(samples);
+        case 2: return StoreOf<WaveletFunction<2>>::make(samples, of_pixels);
+        case 3: return StoreOf<WaveletFunction<3>>::make(samples, of_pixels);
+        default: return StoreOf<WaveletFunction<4>>::make(samples, of_pixels);
     }
 }
 
@@ -110,7 +110,8 @@ HWY_EXPORT(wavelet_store);
 
 StoreVerbs wavelet_verbs(TargetSet targets, const ChosenMethod& method, int samples)
 {
-    return SHEER_DISPATCH(wavelet_store, targets)(method.number("rank"), samples);
+    return SHEER_DISPATCH(wavelet_store, targets)(method.number("rank"), samples,
+                                                  method.value("store") == "pixel");
 }
 
 }  // namespace sheer

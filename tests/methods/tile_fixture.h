@@ -179,6 +179,7 @@ struct Setting {
     Simd level = Simd::best;
     EyeSpace eye = {true, 0.1f, 500.0f};
     bool filter_mixes_pixels = true;
+    const ReducedMoments* reduced = nullptr;
 };
 
 // One store under test, clear at first.
@@ -189,7 +190,7 @@ public:
           verbs_(setting.method.row->verbs(targets_of(setting.level), setting.method,
                                            setting.set->count)),
           store_(verbs_.make({setting.set, &setting_.method, setting.eye, kMostFragments,
-                              ~std::size_t{0}, setting.filter_mixes_pixels}))
+                              ~std::size_t{0}, setting.filter_mixes_pixels, setting.reduced}))
     {
         verbs_.clear(store_.get(), {64, 32, 0x1234567u});
     }
