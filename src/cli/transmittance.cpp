@@ -67,7 +67,7 @@ void check_methods(TransmittanceRequest& request, const DepthFunctionSetting& se
         for (const std::string& id : known) ids += id + ", ";
         throw Error(Fault::input, "--methods: '" + text +
                                       "' keeps no function of depth; these do: " + ids +
-                                      "stochastic:depth-based=on");
+                                      "stochastic:depth-based=on, slab:depth-based=on");
     }
 }
 

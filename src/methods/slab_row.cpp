@@ -80,15 +80,23 @@ std::string refusal(const ChosenMethod& method, int)
     return "";
 }
 
-StoreVerbs verbs(TargetSet targets, const ChosenMethod& method, int samples)
+StoreVerbs verbs_of_settings(TargetSet targets, const SlabSettings& settings, int samples)
 {
-    const SlabSettings settings = slab_settings(method);
     if (!settings.has_masks()) return slab_implicit_verbs(targets, samples);
     switch (slab_mask_words(settings.bits)) {
         case 1: return slab_words_1_verbs(targets, samples);
         case 2: return slab_words_2_verbs(targets, samples);
         default: return slab_words_4_verbs(targets, samples);
     }
+}
+
+StoreVerbs verbs(TargetSet targets, const ChosenMethod& method, int samples)
+{
+    const SlabSettings settings = slab_settings(method);
+    StoreVerbs result = verbs_of_settings(targets, settings, samples);
+    // Layers that have colours show themselves, and weigh nothing else.
+    if (!settings.depth_based) result.transmittance = nullptr;
+    return result;
 }
 
 }  // namespace

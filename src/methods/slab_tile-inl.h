@@ -100,6 +100,22 @@ public:
         });
     }
 
+    // What the layers let a fragment be seen; depth based.
+    float transmittance_at(std::size_t pixel, float depth) requires(Kind::kForgets)
+    {
+        choose_layers();
+        Layer there = Layers::nothing();
+        there.depth = real(depth);
+        there.id = whole(0u);
+        const auto full = static_cast<std::size_t>(settings_.layers);
+        return mean_over_samples<L>(count(), [&](std::size_t s) HWY_ATTR {
+            const Front front = layers_.front_of(there, pixel, s);
+            const real seen = Text::slab_visibility(kExplicit, front, settings_.bits);
+            if (settings_.adds_tail) return seen;
+            return L::zero_unless(!layers_.is_behind_all(there, full, pixel, s), seen);
+        });
+    }
+
 private:
     struct Shown {
         Sum sum;

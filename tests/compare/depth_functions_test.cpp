@@ -144,7 +144,9 @@ TEST(DepthFunction, OfCurvesIsTheTruth)
 TEST(DepthFunction, EndsAtWhatIsOpaque)
 {
     const PixelFragments pixel = pixel_of({{-0.5, 0.5}, {0.25, 1.0}, {0.5, 0.5}});
-    for (const char* method : {"moment", "moment:store=pixel", "mboit", "fourier", "wavelet"}) {
+    for (const char* method :
+         {"moment", "moment:store=pixel", "mboit", "mboit:store=pixel", "fourier",
+          "fourier:store=pixel", "wavelet", "wavelet:store=pixel"}) {
         for (const int samples : {1, 8}) {
             EXPECT_EQ(at_place(method, pixel, 0.26, samples), 0) << method;
             EXPECT_GT(at_place(method, pixel, 0.24, samples), 0.2) << method;
@@ -153,22 +155,48 @@ TEST(DepthFunction, EndsAtWhatIsOpaque)
 }
 
 // The mean over keys of an estimate without bias, whose variance is at most that of S independent
-// samples, T (1 - T) / S: within 5 deviations.
-TEST(DepthFunction, OfStochasticDepthsIsRightOnAverage)
+// samples, T (1 - T) / S: within 5 deviations. Layers of as many bits are fewer than may be kept.
+TEST(DepthFunction, OfRandomDepthsIsRightOnAverage)
 {
     const PixelFragments pixel = pixel_of({{-0.5, 0.5}, {0, 0.3}, {0.5, 0.6}});
     constexpr int kKeys = 400, kSamples = 8;
-    double true_light = 1;
-    for (const auto& [place, opacity] : {std::pair{-0.25, 0.5}, {0.25, 0.3}, {0.75, 0.6}}) {
-        true_light *= 1 - opacity;
-        double mean = 0;
-        for (std::uint32_t key = 0; key < kKeys; ++key) {
-            mean += at_place("stochastic:depth-based=on", pixel, place, kSamples,
-                             frame_key(1, static_cast<int>(key))) /
+    for (const char* method : {"stochastic:depth-based=on", "slab:layers=8:bits=8"}) {
+        double true_light = 1;
+        for (const auto& [place, opacity] : {std::pair{-0.25, 0.5}, {0.25, 0.3}, {0.75, 0.6}}) {
+            true_light *= 1 - opacity;
+            double mean = 0;
+            for (std::uint32_t key = 0; key < kKeys; ++key) {
+                mean +=
+                    at_place(method, pixel, place, kSamples, frame_key(1, static_cast<int>(key))) /
                     kKeys;
+            }
+            EXPECT_NEAR(mean, true_light,
+                        5 * std::sqrt(true_light * (1 - true_light) / (kKeys * kSamples)))
+                << method;
         }
-        EXPECT_NEAR(mean, true_light,
-                    5 * std::sqrt(true_light * (1 - true_light) / (kKeys * kSamples)));
+    }
+}
+
+// A k-buffer's layers hide by their opacities: exactly while they are all there, and behind the
+// last of as many as there may be as much as that one, or everything.
+TEST(DepthFunction, OfKeptLayersIsTheTruthAsFarAsTheyGo)
+{
+    const PixelFragments pixel = pixel_of({{0.5, 0.6}, {-0.5, 0.5}, {0, 0.3}});
+    constexpr double kRounding = 8 * 0x1p-24;
+    const double truth[] = {1, 0.5, 0.35, 0.14};
+    for (std::size_t i = 0; i < 4; ++i) {
+        const double place = -0.75 + 0.5 * static_cast<double>(i);
+        EXPECT_NEAR(at_place("slab:bits=infinity", pixel, place, 4), truth[i], kRounding);
+        EXPECT_NEAR(at_place("slab:layers=2:bits=infinity", pixel, place, 4),
+                    truth[std::min<std::size_t>(i, 2)], kRounding);
+        EXPECT_NEAR(at_place("slab:layers=2:bits=infinity:tail=dropped", pixel, place, 4),
+                    i < 2 ? truth[i] : 0, kRounding);
+    }
+    const SampleSet set = make_sample_set(4, SamplePositions::standard);
+    const DepthFunctionSetting setting{set, targets_of(Simd::best), 0};
+    EXPECT_TRUE(keeps_depth_function(choose_method("slab"), setting));
+    for (const char* method : {"slab:depth-based=off", "mlcb", "moment:resolution=1/8"}) {
+        EXPECT_FALSE(keeps_depth_function(choose_method(method), setting)) << method;
     }
 }
 
