@@ -34,6 +34,7 @@ enum class ShadowKind {
     none,        // light goes through everything
     stochastic,  // maps of random samples: Enderton et al., Stochastic Transparency, 3.2 and 3.6
     exact,       // a ray to each light: slow, to judge maps by
+    moment,      // maps of four moments of optical depth: Sharpe, Moment Transparency, for a light
 };
 
 enum class ShadowMasks {
@@ -55,14 +56,18 @@ inline constexpr int kShadowSpread = 4;
 // the sky cast none. docs/numerics.md, "Shadows", has the formulas.
 struct Shadows {
     ShadowKind kind = ShadowKind::none;
-    // From here on of stochastic shadows alone.
+    // Of maps.
+    int size = 1024;   // texels across, 16 to 8192
+    int samples = 16;  // of a texel: 1, 2, 4, 8, 16, 32 or 64
+    int filter = 1;    // texels across what is averaged around a point, 1 to 8
+    // Of stochastic shadows alone.
     ShadowMasks masks = ShadowMasks::stratified;
     bool correction = false;  // by the exact total: less noise, but biased
     bool colored = false;     // coloured glass casts its colour, from three maps; else grey
-    int size = 1024;          // texels across a map, 16 to 8192
-    int samples = 16;         // of a texel: 1, 2, 4, 8, 16, 32 or 64
-    int filter = 1;           // texels across what is averaged around a point, 1 to 8
     Footprint footprint = Footprint::fixed;
+    // Of moments alone: from the least to the most that may lie before a point, in [0, 1]. Above 0
+    // surfaces shadow themselves.
+    float overestimation = 0;
 };
 
 // What is seen and how it is sampled.

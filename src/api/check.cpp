@@ -221,6 +221,9 @@ void check_shadows(const Shadows& shadows)
 {
     check_whole("shadow-size", shadows.size, 16, 8192);
     check_whole("shadow-filter", shadows.filter, 1, 8);
+    if (!(shadows.overestimation >= 0 && shadows.overestimation <= 1)) {
+        refuse("shadows: overestimation: it is not between 0 and 1");
+    }
     if (!is_sample_count(shadows.samples)) {
         refuse("shadow-samples: " + std::to_string(shadows.samples) +
                " is not one of 1, 2, 4, 8, 16, 32, 64");

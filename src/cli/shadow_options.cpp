@@ -14,9 +14,10 @@ namespace sheer {
 
 namespace {
 
-constexpr std::array<std::pair<const char*, ShadowKind>, 3> kKinds = {
+constexpr std::array<std::pair<const char*, ShadowKind>, 4> kKinds = {
     {{"none", ShadowKind::none},
      {"stochastic", ShadowKind::stochastic},
+     {"moment", ShadowKind::moment},
      {"exact", ShadowKind::exact}}};
 
 constexpr std::array<std::pair<const char*, ShadowMasks>, 4> kMasks = {
@@ -34,7 +35,13 @@ void set_parameter(const std::string& option, const std::string& name, const std
                    Shadows& shadows)
 {
     const std::string label = option + ": " + name;
-    if (name == "masks") {
+    if (shadows.kind == ShadowKind::moment) {
+        if (name != "overestimation") {
+            throw Error(Fault::input,
+                        option + ": moment has no parameter '" + name + "'; it has overestimation");
+        }
+        shadows.overestimation = parse_float(label, value);
+    } else if (name == "masks") {
         shadows.masks = parse_choice(label, value, kMasks);
     } else if (name == "correction") {
         shadows.correction = parse_choice(label, value, kSwitch);
@@ -55,9 +62,12 @@ void parse_shadows(const std::string& option, const std::string& text, Shadows& 
     shadows.kind = parse_choice(option, parts[0], kKinds);
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const std::size_t equals = parts[i].find('=');
-        if (shadows.kind != ShadowKind::stochastic || equals == std::string::npos) {
+        const bool is_map =
+            shadows.kind == ShadowKind::stochastic || shadows.kind == ShadowKind::moment;
+        if (!is_map || equals == std::string::npos) {
             throw Error(Fault::input, option + ": '" + text +
-                                          "' is not none, stochastic[:NAME=VALUE]... or exact");
+                                          "' is not none, stochastic[:NAME=VALUE]..., "
+                                          "moment[:overestimation=X] or exact");
         }
         set_parameter(option, parts[i].substr(0, equals), parts[i].substr(equals + 1), shadows);
     }
@@ -70,10 +80,11 @@ void add_shadow_options(CLI::App& command, Shadows& shadows)
     const std::string group = "Shadows";
     CLI::Option* kind =
         add_value(command, "--shadows", "KIND",
-                  "none, stochastic[:NAME=VALUE]... or exact, which is slow\n"
-                  "(none); of stochastic: masks=naive|stratified|tracked|\n"
-                  "systematic, correction=on|off, footprint=fixed|random,\n"
-                  "colored=on|off (stratified, off, fixed, off)",
+                  "none, stochastic[:NAME=VALUE]..., moment[:NAME=VALUE] or\n"
+                  "exact, which is slow (none); of stochastic: masks=naive|\n"
+                  "stratified|tracked|systematic, correction=on|off,\n"
+                  "footprint=fixed|random, colored=on|off (stratified, off,\n"
+                  "fixed, off); of moment: overestimation=0..1 (0)",
                   [&shadows](auto& option, auto& text) { parse_shadows(option, text, shadows); });
     kind->group(group);
     add_value(command, "--shadow-size", "N", "Texels across each light's map, 16 to 8192 (1024)",

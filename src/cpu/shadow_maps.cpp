@@ -4,14 +4,18 @@
 #include <algorithm>
 #include <memory>
 
+#include "cpu/depth_extent.h"
 #include "cpu/frame_memory.h"
 #include "cpu/light_views.h"
+#include "cpu/moment_shadows.h"
 #include "cpu/shadow_store.h"
 #include "cpu/stopwatch.h"
 #include "cpu/tile_fragments.h"
 #include "cpu/tile_passes.h"
 #include "cpu/tracked_shadows.h"
 #include "geometry/build.h"
+#include "methods/depth_range.h"
+#include "shade/moment_part.h"
 #include "shade/light_rays.h"
 #include "support/memory.h"
 #include "support/parallel.h"
@@ -26,7 +30,7 @@ struct ShadowWorker {
     TileScratch scratch;
     OpaqueTile opaque;
     FragmentStream stream;
-    std::unique_ptr<TrackedShadows> tracked;  // or null
+    std::unique_ptr<ShadowTileStore> store;  // or null
 };
 
 struct ShadowJob {
@@ -42,12 +46,12 @@ struct ShadowJob {
 struct Insertion {
     InsertShadows insert;
     const ShadowTile& tile;
-    TrackedShadows* tracked;
+    ShadowTileStore* store;
 
     void operator()(const FragmentStream& stream) const
     {
-        if (tracked != nullptr) {
-            tracked->insert(tile, stream);
+        if (store != nullptr) {
+            store->insert(tile, stream);
         } else {
             insert(tile, stream);
         }
@@ -60,8 +64,8 @@ void draw_tile(const ShadowJob& job, int number, ShadowWorker& worker, ShadowMap
     const PixelRect rect = job.grid.rect(number);
     const ShadowTile tile{map, job.set, rect, pass.shadows.masks};
     clear_shadow_tile(tile);
-    if (worker.tracked) worker.tracked->begin(tile, job.frame);
-    Insertion insertion{insert_shadows_for(pass.targets), tile, worker.tracked.get()};
+    if (worker.store) worker.store->begin(tile, job.frame);
+    Insertion insertion{insert_shadows_for(pass.targets), tile, worker.store.get()};
     const FragmentConsumer consumer{[](void* context, const FragmentStream& stream) {
                                         (*static_cast<const Insertion*>(context))(stream);
                                         return true;
@@ -71,8 +75,32 @@ void draw_tile(const ShadowJob& job, int number, ShadowWorker& worker, ShadowMap
     tile_fragments_for(pass.targets)(fragments, worker.scratch, worker.opaque, worker.stream,
                                      consumer);
     insertion(worker.stream);
-    if (worker.tracked) worker.tracked->end(tile);
+    if (worker.store) worker.store->end(tile);
     insert_opaque_shadows(tile, worker.opaque);
+}
+
+std::unique_ptr<ShadowTileStore> make_tile_store(const ShadowPass& pass, const ShadowMap& map,
+                                                 const SampleSet& set)
+{
+    if (pass.shadows.kind == ShadowKind::moment) {
+        return make_moment_shadows(pass.targets, map, set, kStreamFragments);
+    }
+    if (!is_tracked(pass.shadows.masks)) return nullptr;
+    return make_tracked_shadows(pass.targets, map, set, pass.shadows.masks);
+}
+
+// Between the nearest and the farthest of what is transparent to the light, and a little more:
+// points before all of it, or behind, are not where it is.
+void set_depth_range(const Geometry& geometry, const FrameSurfaces& casters,
+                     const Projection& light, ShadowMap& map)
+{
+    EyeSpace eye{light.orthographic, static_cast<float>(light.znear),
+                 static_cast<float>(light.zfar)};
+    find_depth_extent(geometry, casters, eye);
+    const DepthRange range = depth_range(eye, true);
+    map.moments->is_distance = range.is_distance;
+    map.moments->from = range.from - (1 / kFarthestPlace - 1) / range.scale;
+    map.moments->scale = kFarthestPlace * range.scale;
 }
 
 std::unique_ptr<ShadowMap> draw_map(const ShadowPass& pass, const FrameSurfaces& casters,
@@ -83,26 +111,26 @@ std::unique_ptr<ShadowMap> draw_map(const ShadowPass& pass, const FrameSurfaces&
     const SampleSet set = make_sample_set(shadows.samples, SamplePositions::standard);
     const TileGrid grid{shadows.size, shadows.size, 0};
     const Geometry geometry = build_geometry({pass.scene, light, grid, set.extent, pass.threads});
-    const int layers = shadows.colored && casters.any_colored ? 3 : 1;
+    const bool colored = shadows.colored && shadows.kind == ShadowKind::stochastic;
+    const int layers = colored && casters.any_colored ? 3 : 1;
     auto map =
         std::make_unique<ShadowMap>(light, shadows, layers, set, pass.seen.eye.position, key);
+    if (map->moments) set_depth_range(geometry, casters, light, *map);
     const ShadowJob job{pass, geometry, casters, set, grid, frame};
     std::vector<std::unique_ptr<ShadowWorker>> workers(static_cast<std::size_t>(pass.threads));
-    parallel_for(
-        pass.threads, static_cast<std::size_t>(grid.count()), [&](std::size_t tile, int thread) {
-            auto& worker = workers[static_cast<std::size_t>(thread)];
-            if (!worker) {
-                worker = std::make_unique<ShadowWorker>(
-                    ShadowWorker{{},
-                                 OpaqueTile(shadows.samples, casters.any_opaque),
-                                 FragmentStream(kStreamFragments, casters.any_colored),
-                                 {}});
-                if (is_tracked(shadows.masks)) {
-                    worker->tracked = make_tracked_shadows(pass.targets, *map, set, shadows.masks);
-                }
-            }
-            draw_tile(job, static_cast<int>(tile), *worker, *map);
-        });
+    parallel_for(pass.threads, static_cast<std::size_t>(grid.count()),
+                 [&](std::size_t tile, int thread) {
+                     auto& worker = workers[static_cast<std::size_t>(thread)];
+                     if (!worker) {
+                         worker = std::make_unique<ShadowWorker>(
+                             ShadowWorker{{},
+                                          OpaqueTile(shadows.samples, casters.any_opaque),
+                                          FragmentStream(kStreamFragments, casters.any_colored),
+                                          {}});
+                         worker->store = make_tile_store(pass, *map, set);
+                     }
+                     draw_tile(job, static_cast<int>(tile), *worker, *map);
+                 });
     return map;
 }
 
@@ -117,14 +145,18 @@ std::uint64_t shadow_bytes(const ShadowPass& pass)
     // Beside the pictures' triangles those of one light, or of all lights as trees.
     if (shadows.kind == ShadowKind::exact) return 2 * lights * geometry_bytes(pass.scene);
     const std::uint64_t layers = shadows.colored ? 3 : 1;
+    const std::uint64_t moment_bytes =
+        shadows.kind == ShadowKind::moment ? kFourMoments * sizeof(double) : 0;  // a texel
     const std::uint64_t tracked_bytes =
         is_tracked(shadows.masks) ? kTilePixels * layers * (8 * samples + 64) : 0;
+    const std::uint64_t sum_bytes =
+        moment_bytes * kTilePixels + (moment_bytes > 0 ? kStreamFragments * sizeof(float) : 0);
     const std::uint64_t thread_bytes =
-        kTilePixels * samples * 6 * sizeof(float) + tracked_bytes +
+        kTilePixels * samples * 6 * sizeof(float) + tracked_bytes + sum_bytes +
         kStreamFragments * (sizeof(FragmentRun) + 20 * sizeof(float));
     const std::uint64_t values = shadows.correction ? 2 * layers + 1 : layers;
-    return lights * size * size * samples * values * sizeof(float) + geometry_bytes(pass.scene) +
-           static_cast<std::uint64_t>(pass.threads) * thread_bytes;
+    return lights * size * size * (samples * values * sizeof(float) + moment_bytes) +
+           geometry_bytes(pass.scene) + static_cast<std::uint64_t>(pass.threads) * thread_bytes;
 }
 
 using LightViews = std::vector<std::optional<Projection>>;

@@ -5,6 +5,7 @@
 
 #include "geometry/tile_grid.h"
 #include "lanes/targets.h"
+#include "methods/method.h"
 #include "raster/fragments.h"
 #include "raster/opaque_tile.h"
 #include "raster/sample_set.h"
@@ -17,6 +18,18 @@ struct ShadowTile {
     const SampleSet& set;
     PixelRect rect;
     ShadowMasks masks;
+};
+
+// What one thread has, tile after tile of one map, where a tile's texels have something that the
+// map has not.
+class ShadowTileStore {
+public:
+    virtual ~ShadowTileStore() = default;
+    // `frame`: of the picture that the map is for.
+    virtual void begin(const ShadowTile& tile, const FrameOfPicture& frame) = 0;
+    virtual void insert(const ShadowTile& tile, const FragmentStream& fragments) = 0;
+    // What is kept goes to the map.
+    virtual void end(const ShadowTile& tile) = 0;
 };
 
 // Nothing in the light's way.

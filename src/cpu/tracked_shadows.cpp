@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 template <int Samples>
-class TrackedTexels final : public TrackedShadows {
+class TrackedTexels final : public ShadowTileStore {
     using L = TexelLanes<Samples>;
     using real = typename L::real;
     using whole = typename L::whole;
@@ -134,8 +134,8 @@ private:
     std::vector<float> opacity_;
 };
 
-std::unique_ptr<TrackedShadows> tracked_texels(const ShadowMap& map, const SampleSet& set,
-                                               const StratifiedSettings& settings)
+std::unique_ptr<ShadowTileStore> tracked_texels(const ShadowMap& map, const SampleSet& set,
+                                                const StratifiedSettings& settings)
 {
     switch (map.samples) {
         case 1: return std::make_unique<TrackedTexels<1>>(map, set, settings);
@@ -156,8 +156,8 @@ namespace sheer {
 
 HWY_EXPORT(tracked_texels);
 
-std::unique_ptr<TrackedShadows> make_tracked_shadows(TargetSet targets, const ShadowMap& map,
-                                                     const SampleSet& set, ShadowMasks masks)
+std::unique_ptr<ShadowTileStore> make_tracked_shadows(TargetSet targets, const ShadowMap& map,
+                                                      const SampleSet& set, ShadowMasks masks)
 {
     StratifiedSettings settings;
     if (masks == ShadowMasks::systematic) settings.sequence = Sequence::systematic;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "methods/method.h"
+#include "shade/moment_part.h"
 
 namespace sheer {
 
@@ -44,8 +45,8 @@ inline MomentSettings moment_settings(const ChosenMethod& method)
         // of 16 bits.
         case MomentFormat::fp32:
         case MomentFormat::nlqm:
-            s.bias = 3e-7;
-            s.even2 = s.even4 = 0.375;
+            s.bias = kMomentBias;
+            s.even2 = s.even4 = kMomentBiasEven;
             break;
         case MomentFormat::unorm16:
             s.bias = 6e-5;

@@ -15,6 +15,7 @@
 #include "lanes/lanes-inl.h"
 #include "lanes/lone.h"
 #include "lanes/text.h"
+#include "shade/moment_part.h"
 #include "shade/shadow_map.h"
 #include "shade/vectors-inl.h"
 
@@ -26,13 +27,6 @@ struct ShadowText {
 #include "lanes/text_words.h"
 #include "sheer/random.glsl"
 #include "sheer/stochastic_shadow.glsl"
-};
-
-// A point on a map and the plane of its surface.
-struct MapPoint {
-    float x, y;  // texels
-    float depth;
-    float depth_x, depth_y;
 };
 
 // Over a row of texels: of all of them, of the first and of the last, for each kind of sum.
@@ -233,8 +227,9 @@ HWY_NOINLINE Vector<L> visible_part(const ShadowMap& map, const ShadowReceiver& 
     (depth - slack).store(depths);
     for (std::size_t c = 0; c < map.layers.size(); ++c) {
         for (int i = 0; i < std::min(lanes, L::kCount); ++i) {
-            parts[c][i] = visible_part_at(map, map.layers[c],
-                                          {xs[i], ys[i], depths[i], r.depth_x, r.depth_y});
+            const MapPoint point{xs[i], ys[i], depths[i], r.depth_x, r.depth_y};
+            parts[c][i] = visible_part_at(map, map.layers[c], point);
+            if (map.moments && parts[c][i] > 0) parts[c][i] *= moment_part(map, point);
         }
     }
     const std::size_t green = map.layers.size() > 1 ? 1 : 0, blue = 2 * green;

@@ -137,11 +137,14 @@ ShadowMap::ShadowMap(const Projection& light, const Shadows& shadows, int layer_
       texel(1, set)
 {
     const std::size_t count = at(0, size) + TexelRow::kGroup;
+    const bool corrects = shadows.correction && shadows.kind == ShadowKind::stochastic;
     for (int i = 0; i < layer_count; ++i) {
-        layers.push_back(
-            {AlignedArray<float>(count), AlignedArray<float>(shadows.correction ? count : 0)});
+        layers.push_back({AlignedArray<float>(count), AlignedArray<float>(corrects ? count : 0)});
     }
-    if (shadows.correction) opaque = AlignedArray<float>(count);
+    if (corrects) opaque = AlignedArray<float>(count);
+    if (shadows.kind != ShadowKind::moment) return;
+    const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+    moments = MomentTexels{AlignedArray<double>(kFourMoments * texels), shadows.overestimation};
 }
 
 ShadowReceiver make_receiver(const ShadowMap& map, const std::array<double, 3> (&places)[3],

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <sheer/render.h>
@@ -37,6 +38,17 @@ struct TexelRow {
     TexelRow(int texels, const SampleSet& set);
 };
 
+// Sums over the fragments of a texel: sum of d_i z_i^j, j = 0 to 4, of optical depths d_i at places
+// z_i (shaders/sheer/transmittance.glsl).
+inline constexpr int kFourMoments = 5;
+struct MomentTexels {
+    AlignedArray<double> sums;  // one texel's after the other's
+    float overestimation;
+    // How depth becomes a place; set before anything is added up.
+    bool is_distance = false;
+    float from = 0, scale = 1;
+};
+
 struct ShadowMap {
     // Of sample s of texel (x, y), element at(x, y) + s; a group's slack at the end.
     struct Layer {
@@ -47,9 +59,10 @@ struct ShadowMap {
     MapSpace space;
     int size, samples, filter;
     Footprint footprint;
-    std::uint32_t key;           // of this light's random numbers
-    TexelRow row, texel;         // of a footprint, and of one texel
-    std::vector<Layer> layers;   // one, or one for each channel
+    std::uint32_t key;                    // of this light's random numbers
+    TexelRow row, texel;                  // of a footprint, and of one texel
+    std::vector<Layer> layers;            // one, or one for each channel
+    std::optional<MomentTexels> moments;  // of what is transparent, which is in no layer then
     AlignedArray<float> opaque;  // with correction: of the nearest opaque surface; else it is a
                                  // depth like others
 

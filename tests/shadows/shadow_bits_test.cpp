@@ -33,6 +33,8 @@ TEST(ShadowBits, SameBitsOnEveryLevelAndAnyNumberOfThreads)
         kinds.push_back(stochastic_shadows(4, 2));
         kinds.back().masks = ShadowMasks::systematic;
         kinds.back().correction = true;
+        kinds.push_back(stochastic_shadows(4, 2));
+        kinds.back().kind = ShadowKind::moment;
         if (std::string(source) == "builtin:cloth") kinds.push_back(exact_shadows());
         for (const Shadows& shadows : kinds) {
             view.shadows = shadows;
