@@ -38,8 +38,13 @@ Reproduce reproduce_slab_knob;
 Reproduce reproduce_slab_strips;
 Reproduce reproduce_surfaces_in_samples;
 Reproduce reproduce_continuum_table;
+Reproduce reproduce_moment_table_1;
+Reproduce reproduce_moment_figure_1;
+Reproduce reproduce_moment_figure_3;
 Reproduce reproduce_moment_layers;
 Reproduce reproduce_moment_gap;
+Reproduce reproduce_moment_stores;
+Reproduce reproduce_moment_shadows;
 Reproduce reproduce_truth_convergence;
 
 }  // namespace sheer
