@@ -118,8 +118,7 @@ struct HashedTestAlone : NearestAlone<L, HashedTestAlone<L>> {
         const HashedAlone<L> hashed{hashed_settings(this->method)};
         auto threshold = hashed.threshold(hashed.cells(f.place));
         if (const float levels = fade_in_levels(this->method); levels > 0) {
-            using real = typename L::real;
-            const real b = Texts<L>::fade_in(real(f.level), real(levels));
+            const auto b = Texts<L>::fade_in(typename L::real(f.level), typename L::real(levels));
             threshold = Texts<L>::faded_threshold(threshold, b);
         }
         return Texts<L>::alpha_test(this->opacity(i), threshold);
