@@ -149,7 +149,7 @@ private:
         for (std::size_t r = 0; r < static_cast<std::size_t>(f.run_count); ++r) {
             const FragmentRun& run = f.runs[r];
             const auto number = static_cast<std::uint32_t>(runs_.size());
-            runs_.push_back({run.depth, run.primitive});
+            runs_.push_back({run.depth, run.primitive, 0});
             for (std::size_t i = run.first; i < run.first + run.count; ++i) {
                 occluders_.push_back({f.opacity[i], f.depth[i], f.pixel[i], number, f.samples[i],
                                       f.samples_high[i]});
