@@ -58,7 +58,8 @@ TEST_F(RenderOptionsTest, TexturesAreReadAsAsked)
 
 TEST_F(RenderOptionsTest, OddShadowsAreRefused)
 {
-    expect_refusal({"--shadows", "soft"}, "--shadows: 'soft' is none of none, stochastic, exact");
+    expect_refusal({"--shadows", "soft"},
+                   "--shadows: 'soft' is none of none, stochastic, moment, exact");
     expect_refusal({"--shadows", "exact:masks=naive"}, "--shadows: 'exact:masks=naive' is not");
     expect_refusal({"--shadows", "stochastic:masks"}, "--shadows: 'stochastic:masks' is not");
     expect_refusal({"--shadows", "stochastic:masks=odd"},
