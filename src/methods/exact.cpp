@@ -202,8 +202,7 @@ struct ExactStore {
             } while (++i < size && doubtful);
             if (i - begin == 1) continue;
             composite_precisely(begin, i, pixel, s, lanes);
-            Verbs::for_each_channel(
-                sum, [&](int c, real& value) HWY_ATTR { value = real::load(lanes.channel[c]); });
+            load(lanes, sum);
         }
         return sum;
     }
@@ -213,6 +212,12 @@ struct ExactStore {
     {
         Verbs::for_each_channel(
             sum, [&](int c, const real& value) HWY_ATTR { value.store(to.channel[c]); });
+    }
+
+    static HWY_INLINE void load(const SumLanes& from, Sum& sum)
+    {
+        Verbs::for_each_channel(
+            sum, [&](int c, real& value) HWY_ATTR { value = real::load(from.channel[c]); });
     }
 
     // Layers [begin, end) of the common order, at each sample in its own.
@@ -232,9 +237,8 @@ struct ExactStore {
             few.add(*item.layer, item.run->primitive, covers(*item.layer, s),
                     DepthWords<L>(item.run->depth, set, pixel, s));
         }
-        Sum sum = Verbs::clear();
-        Verbs::for_each_channel(
-            sum, [&](int c, real& value) HWY_ATTR { value = real::load(lanes.channel[c]); });
+        Sum sum;
+        load(lanes, sum);
         save(few.composite(sum), lanes);
     }
 

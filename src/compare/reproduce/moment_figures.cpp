@@ -34,20 +34,11 @@ struct PictureRow {
     Crop crop;  // of 640x480 pixels
 };
 
-View view_of(const ReproduceJob& job)
-{
-    View view;
-    view.width = job.quick ? 64 : 640;
-    view.height = job.quick ? 48 : 480;
-    view.samples = 1;
-    return view;
-}
-
 void add_row(const PictureRow& row, const ReproduceJob& job, double from, double part, Page& page)
 {
     const std::string source = job.quick ? row.scene.quick_source : row.scene.source;
     const Scene scene = load(source);
-    const View view = view_of(job);
+    const View view = moment_view(job.quick);
     const Crop crop = job.quick ? Crop{16, 12, 24, 24} : row.crop;
     const Image exact = draw_method(scene, view, "exact", job.options);
     Table table{std::string(row.name) + ": errors",
@@ -85,7 +76,7 @@ void add_rows(std::span<const PictureRow> rows, const ReproduceEntry& entry,
               const ReproduceJob& job)
 {
     Page page(entry, job);
-    page.say(size_text(view_of(job).width, view_of(job).height) +
+    page.say(size_text(moment_view(job.quick).width, moment_view(job.quick).height) +
              " pixels, one sample a pixel. Errors are in linear colour times 255, red, green and "
              "blue, against the exact picture of the same samples, over all of the picture and "
              "over the part that is shown enlarged.");

@@ -53,15 +53,6 @@ constexpr const char* kOncePerFragment =
     "here a tile is rasterised and shaded once for all passes, in the paper once for each; and "
     "what a fragment costs more than WBOIT's is arithmetic, which a GPU hides behind memory";
 
-View view_of(const ReproduceJob& job)
-{
-    View view;
-    view.width = job.quick ? 64 : 640;
-    view.height = job.quick ? 48 : 480;
-    view.samples = 1;
-    return view;
-}
-
 // The paper's stage 2: what makes moments.
 double ms_moments(const Stats& stats)
 {
@@ -97,7 +88,7 @@ void add_memory(Page& page)
 
 void add_errors(const Scene& scene, const TableScene& of, const ReproduceJob& job, Page& page)
 {
-    const View view = view_of(job);
+    const View view = moment_view(job.quick);
     const Image exact = draw_method(scene, view, "exact", job.options);
     Table table{
         std::string(of.scene.name) + ": errors",
@@ -128,8 +119,8 @@ void add_times(Scene& scene, const TableScene& of, const ReproduceJob& job, doub
     const auto progress = [&](double part) {
         job.progress((done + part) / static_cast<double>(std::size(kScenes)));
     };
-    const auto timings = time_methods(
-        take_turns(scene, view_of(job), job.options, {methods(), job.quick ? 1 : 7, progress}));
+    const auto timings = time_methods(take_turns(scene, moment_view(job.quick), job.options,
+                                                 {methods(), job.quick ? 1 : 7, progress}));
     Table table{
         std::string(of.scene.name) + ": times",
         {"technique", "stage 2, ms", "the rest, ms", "total, ms", "least", "most", "x WBOIT",
@@ -160,7 +151,7 @@ void add_times(Scene& scene, const TableScene& of, const ReproduceJob& job, doub
 
 void reproduce_moment_table_1(const ReproduceEntry& entry, const ReproduceJob& job)
 {
-    const View view = view_of(job);
+    const View view = moment_view(job.quick);
     Page page(entry, job);
     page.say(size_text(view.width, view.height) +
              " pixels, one sample a pixel, as in the paper. Its scenes are not public: these are "

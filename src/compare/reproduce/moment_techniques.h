@@ -1,6 +1,8 @@
 // The six techniques of Sharpe. Moment Transparency. HPG 2018, table 1, and its two scenes.
 #pragma once
 
+#include <sheer/render.h>
+
 namespace sheer {
 
 struct MomentTechnique {
@@ -30,5 +32,15 @@ inline constexpr MomentScene kBurningHouse = {"burning-house", "builtin:burning-
                                               "builtin:burning-house?particles=200&grass=0.1"};
 inline constexpr MomentScene kGrassAndSmoke = {"grass-and-smoke", "builtin:grass-and-smoke",
                                                "builtin:grass-and-smoke?particles=60"};
+
+// What is drawn of both.
+inline View moment_view(bool quick)
+{
+    View view;
+    view.width = quick ? 64 : 640;
+    view.height = quick ? 48 : 480;
+    view.samples = 1;
+    return view;
+}
 
 }  // namespace sheer
