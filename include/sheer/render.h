@@ -1,6 +1,7 @@
 // From a scene and a view to a picture.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -84,9 +85,14 @@ struct View {
     std::optional<float> fov;  // full vertical angle in degrees, of that camera
     AlphaMips alpha_mips = AlphaMips::premultiplied;
     int texture_levels = 0;  // of each texture that are used, the largest first, 1 to 16; 0: all
+    // Of all samples, right and down, in 1/256 pixel, -255 to 255: what leaves a pixel on one side
+    // comes back on the other. Samples at the pixel's centre stay there.
+    std::array<int, 2> sample_shift = {0, 0};
     float exposure = 0;  // EV, -32 to 32; surfaces are multiplied by 2^EV, the background is not
     Shadows shadows;
 };
+
+inline constexpr int kMostFrames = 1'000'000;  // of a film
 
 enum class Simd { best, scalar, sse4, avx2, avx512, neon };
 
@@ -121,6 +127,11 @@ struct Options {
     // Pictures to average, each with random numbers of its own, 1 to 1,000,000; where neither
     // method nor shadows are random one is enough, and one is drawn.
     int accumulate = 1;
+    // The picture's number in a film, 0 to kMostFrames - 1: random methods have other numbers in
+    // each frame. All others, and shadows, are the same in all; hashed ones unless they are told to
+    // vary, which they do in turns of `period` frames: 1, 2, 4, 8, 16, 32 or 64.
+    int frame = 0;
+    int period = 8;
     AdaptiveFrames adaptive;  // instead of `accumulate`
     PostFilter post_filter;
     // What the whole process may take while it draws the picture, and then to write it to a file,

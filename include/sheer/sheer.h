@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include <sheer/error.h>
+#include <sheer/film.h>
 #include <sheer/image.h>
 #include <sheer/render.h>
 #include <sheer/scene.h>

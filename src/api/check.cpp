@@ -287,6 +287,12 @@ void check_view(const View& view, const Options& options)
         refuse("accumulate: " + std::to_string(options.accumulate) +
                " is not between 1 and 1,000,000");
     }
+    check_whole("frame", options.frame, 0, kMostFrames - 1);
+    if (!is_sample_count(options.period)) {
+        refuse("period: " + std::to_string(options.period) +
+               " is not one of 1, 2, 4, 8, 16, 32, 64");
+    }
+    for (const int shift : view.sample_shift) check_whole("sample-shift", shift, -255, 255);
     if (view.background) {
         if (!are_colors(*view.background)) refuse("background: not between 0 and 1,000,000");
         if ((*view.background)[3] > 1) refuse("background: an alpha above 1");

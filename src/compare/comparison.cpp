@@ -36,8 +36,9 @@ struct Plan {
 std::size_t add_take(const std::string& method, const Options& options, int seeds, Plan& plan)
 {
     Take take{.method = choose_method(method), .keys = {}, .variance = seeds > 1};
+    take.film = {options.frame, options.period};
     for (int i = 0; i < seeds; ++i) {
-        take.keys.push_back(frame_key(options.seed + static_cast<std::uint64_t>(i), 0));
+        take.keys.push_back(frame_key(options.seed + static_cast<std::uint64_t>(i), options.frame));
     }
     plan.takes.push_back(std::move(take));
     return plan.takes.size() - 1;

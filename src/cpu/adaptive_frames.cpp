@@ -115,7 +115,8 @@ std::vector<std::uint16_t> plan_frames(const Scene& scene, const View& view, con
 {
     Take take{.method = choose_method(options.method), .keys = {}, .variance = true};
     // Another seed than that of the frames that count.
-    for (int i = 0; i < kPilotFrames; ++i) take.keys.push_back(frame_key(~options.seed, i));
+    const std::int64_t first = std::int64_t{options.frame} * kPilotFrames;
+    for (int i = 0; i < kPilotFrames; ++i) take.keys.push_back(frame_key(~options.seed, first + i));
     Options quiet = options;
     quiet.channels = false;
     quiet.progress = {};

@@ -65,6 +65,14 @@ void find_unfinished(const FrameJob& job, const Take& take, const PixelRect& rec
     }
 }
 
+void set_frame(const Take& take, std::size_t i, TilePlace& place)
+{
+    place.key = take.keys[i];
+    place.frame = take.frame_of_picture(i);
+    place.film = take.film;
+    place.film.number += static_cast<std::int64_t>(i);
+}
+
 // One picture whose pixels have as many frames as each needs. What the tile kept is forgotten.
 void draw_unevenly(const FrameJob& job, const Take& take, TileSetting& setting, Worker& worker,
                    TileStore& store)
@@ -76,8 +84,7 @@ void draw_unevenly(const FrameJob& job, const Take& take, TileSetting& setting, 
         find_unfinished(job, take, setting.job.rect, interior, i, left);
         if (!left.any) break;
         if (i > 0) worker.passes.restrict_to(&left.tile);
-        setting.place.key = take.keys[i];
-        setting.place.frame = take.frame_of_picture(i);
+        set_frame(take, i, setting.place);
         const std::uint64_t fragments = store.fragments;
         worker.passes.draw(setting, store, worker.colors);
         if (i > 0) store.fragments = fragments;  // those of all pixels count
@@ -98,8 +105,7 @@ void draw_evenly(const FrameJob& job, const Take& take, TileSetting& setting, Wo
     const auto frames = static_cast<std::size_t>(take.frames);
     for (std::size_t i = 0; i < take.keys.size(); ++i) {
         if (i % frames == 0) worker.picture.clear();
-        setting.place.key = take.keys[i];
-        setting.place.frame = take.frame_of_picture(i);
+        set_frame(take, i, setting.place);
         worker.passes.draw(setting, store, worker.colors);
         store.resolving.start();
         worker.picture.add(job.filter, worker.colors, store.divides, setting.job.rect, interior);

@@ -161,7 +161,7 @@ void make_images(const FrameJob& job, bool channels, FrameTakes& result)
 
 }  // namespace
 
-std::uint32_t frame_key(std::uint64_t seed, int frame)
+std::uint32_t frame_key(std::uint64_t seed, std::int64_t frame)
 {
     const CounterRandom random{seed};
     return static_cast<std::uint32_t>(random.bits(static_cast<std::uint64_t>(frame)) >> 32);
@@ -183,7 +183,9 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     }
     for (const Take& take : takes) check_method(take.method, view.samples);
     const TargetSet targets = targets_of(options.simd);
-    const SampleSet samples = make_sample_set(view.samples, view.positions, request.shift);
+    const SubpixelShift shift{request.shift.x + view.sample_shift[0],
+                              request.shift.y + view.sample_shift[1]};
+    const SampleSet samples = make_sample_set(view.samples, view.positions, shift);
     const SampleFilter filter(view.filter, samples);
     const TileGrid grid{view.width, view.height, filter.reach()};
 

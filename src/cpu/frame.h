@@ -26,6 +26,7 @@ struct Take {
     bool transparent = false;   // TakeFrame::transparent is wanted; of one picture
     bool apart = false;         // TakeFrame::fraction is wanted, and not part of the image
     FrameOfPicture alone = {};  // of several that are drawn one by one, the take's only one
+    FrameOfFilm film = {};      // of the first key; the next ones follow
 
     // Of the frame that has the i-th key.
     FrameOfPicture frame_of_picture(std::size_t i) const
@@ -53,7 +54,7 @@ struct FrameTakes {
 };
 
 // The key of one frame of a seed's sequence.
-std::uint32_t frame_key(std::uint64_t seed, int frame);
+std::uint32_t frame_key(std::uint64_t seed, std::int64_t frame);
 
 // What is not the view's or the options'.
 struct TakesRequest {

@@ -15,11 +15,21 @@ namespace sheer {
 
 namespace {
 
+// Of all frames of a film, the number of the picture's first. Adaptive ones are as many as asked
+// for.
+std::int64_t first_frame(const Options& options)
+{
+    const bool adapts = options.adaptive.noise_target > 0 || options.adaptive.budget > 0;
+    const int of_picture = adapts ? options.adaptive.most : options.accumulate;
+    return std::int64_t{options.frame} * of_picture;
+}
+
 // Without frames yet.
 Take make_take(const Options& options)
 {
     Take take{.method = choose_method(options.method), .keys = {}};
     take.transparent = options.post_filter.cross_bilateral;
+    take.film = {first_frame(options), options.period};
     if (take.transparent && !take.method.traits().divides) {
         throw Error(Fault::input, "post filter: it needs the total alpha, which " + options.method +
                                       " does not keep; stochastic:correction=on does");
@@ -30,7 +40,8 @@ Take make_take(const Options& options)
 // The take's frames, all with the same shadows, as pictures.
 Frame draw_frames(const Scene& scene, const View& view, const Options& options, Take take)
 {
-    for (int i = 0; i < take.frames; ++i) take.keys.push_back(frame_key(options.seed, i));
+    for (int i = 0; i < take.frames; ++i)
+        take.keys.push_back(frame_key(options.seed, take.film.number + i));
     FrameTakes result = render_takes(scene, view, options, {.takes = {&take, 1}});
     TakeFrame& frame = result.frames.front();
     if (take.transparent) {
@@ -68,8 +79,9 @@ Frame draw_one_by_one(const Scene& scene, const View& view, const Options& optio
             if (options.progress) options.progress((i + part) / options.accumulate);
         };
         Take take = prepared;
-        take.keys = {frame_key(options.seed, i)};
-        take.alone = {frame_key(options.seed, 0), i, options.accumulate};
+        take.film.number += i;
+        take.keys = {frame_key(options.seed, take.film.number)};
+        take.alone = {frame_key(options.seed, prepared.film.number), i, options.accumulate};
         take.transparent = false;
         take.apart = true;
         FrameTakes result =
@@ -97,14 +109,14 @@ Frame draw_one_by_one(const Scene& scene, const View& view, const Options& optio
 Frame render_frame(const Scene& scene, const View& view, const Options& options)
 {
     Take take = make_take(options);
-    const bool random = take.method.traits().random;
+    const MethodTraits traits = take.method.traits();
     const bool adapts = options.adaptive.noise_target > 0 || options.adaptive.budget > 0;
     const auto draw = [&] {
-        if (random && adapts) return draw_adaptively(scene, view, options);
+        if (traits.random && adapts) return draw_adaptively(scene, view, options);
         if (view.shadows.kind == ShadowKind::stochastic && options.accumulate > 1) {
             return draw_one_by_one(scene, view, options);
         }
-        if (random) take.frames = options.accumulate;
+        if (traits.random || traits.by_frame) take.frames = options.accumulate;
         return draw_frames(scene, view, options, std::move(take));
     };
     Frame frame = draw();

@@ -4,6 +4,7 @@
 // two stores of the same pixels become one; `resolve`, the colour over a backdrop.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -110,11 +111,18 @@ struct FrameOfPicture {
     int number = 0, count = 1;
 };
 
+// And among all frames, those of earlier pictures counted.
+struct FrameOfFilm {
+    std::int64_t number = 0;
+    int period = 8;  // of what comes again: Options::period
+};
+
 // What a store is cleared for.
 struct TilePlace {
     int x = 0, y = 0;       // the tile's first pixel in the picture
     std::uint32_t key = 0;  // of the frame's random numbers
     FrameOfPicture frame = {};
+    FrameOfFilm film = {};
 };
 
 // How a store is worked with, for one SIMD level. `store` is what `make` gave; `backdrop` holds the
@@ -238,6 +246,7 @@ struct MethodTraits {
     // paper does not say.
     double texture_bytes = 0;
     bool random = false;                    // the picture depends on the seed
+    bool by_frame = false;                  // on TilePlace::film, though not on the seed
     bool bounded = true;                    // the store does not grow with the number of fragments
     Agreement any_order = Agreement::none;  // of the stores for every order of arrival
     // Of parts with the whole, merged after each pass, which then goes on with what was merged.

@@ -1,0 +1,37 @@
+// Frames and what moves from one to the next, on the command line.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include <sheer/film.h>
+
+namespace sheer {
+
+struct FrameRange {
+    int first = 0, last = 0;
+
+    int count() const { return last - first + 1; }
+};
+
+struct FilmOptions {
+    std::optional<FrameRange> frames;
+    CameraPath path;
+    TemporalAntialiasing taa;
+};
+
+// What `view` and `options` are in a frame.
+View view_of_frame(const Scene& scene, const View& view, const FilmOptions& film, int frame);
+Options options_of_frame(const Options& options, const FilmOptions& film, int frame);
+
+// After those of the view. `given` is filled while the command line is parsed and outlives
+// `command`.
+void add_film_options(CLI::App& command, FilmOptions& given);
+
+// A file's name for each frame, whose last run of #s in the name itself, not its folder's, is the
+// frame's number in as many digits or more. Throws Error(Fault::input) where there is none.
+std::string name_of_frame(const std::string& option, const std::string& pattern, int frame);
+
+}  // namespace sheer
