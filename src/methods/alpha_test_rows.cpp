@@ -49,6 +49,13 @@ FragmentWants wants_places(const ChosenMethod& method)
     return {.places = places, .masks = true};
 }
 
+MethodTraits traits_of_hashed(const ChosenMethod& method)
+{
+    MethodTraits traits = traits_of_nearest();
+    traits.by_frame = hash_frames(method) != HashFrames::still;
+    return traits;
+}
+
 FragmentWants wants_places_and_levels(const ChosenMethod& method)
 {
     FragmentWants wants = wants_places(method);
@@ -68,7 +75,11 @@ std::vector<Parameter> with_hashed(std::vector<Parameter> first)
          "whose cells: the whole that the object is part of, the world, texture coordinates"},
         {"without", "nothing|third|octaves|uniform", "nothing",
          "a part of the method: the third coordinate, sizes that are powers of 2, the mixture "
-         "made uniform"}};
+         "made uniform"},
+        {"frames", "still|offsets|linear|alternating|van-der-corput", "still",
+         "the same thresholds in each; others, by an offset of the cells; or one in each of as "
+         "many "
+         "strata as there are frames in a period, in this order"}};
     first.insert(first.end(), std::begin(hashed), std::end(hashed));
     return first;
 }
@@ -118,7 +129,8 @@ MethodRow hashed_alpha_test_row()
                   "texture has become a hashed one; the paper's is 6"}}),
             .traits = traits_of_nearest(),
             .verbs = hashed_alpha_test_verbs,
-            .wants = wants_places_and_levels};
+            .wants = wants_places_and_levels,
+            .traits_of = traits_of_hashed};
 }
 
 MethodRow alpha_to_coverage_row()
@@ -150,7 +162,8 @@ MethodRow hashed_alpha_to_coverage_row()
               "whether layers take their samples in an order of their own"}}),
         .traits = traits_of_nearest(),
         .verbs = hashed_alpha_to_coverage_verbs,
-        .wants = wants_places};
+        .wants = wants_places,
+        .traits_of = traits_of_hashed};
 }
 
 MethodRow screen_door_row()

@@ -20,6 +20,7 @@ struct CoverageText {
 #include "sheer/random.glsl"
 #include "sheer/stochastic_masks.glsl"
 #include "sheer/hashed_threshold.glsl"
+#include "sheer/temporal_threshold.glsl"
 #include "sheer/alpha_to_coverage.glsl"
 };
 
@@ -59,7 +60,7 @@ public:
           thresholds_(*shape.method)
     {
     }
-    void clear(const TilePlace&) {}
+    void clear(const TilePlace& place) { thresholds_.begin(place.film); }
     HWY_INLINE KeptSamples keep(const FragmentStream& f, std::size_t i, whole) const
     {
         const auto cells = thresholds_.cells(f, i);
@@ -72,9 +73,9 @@ public:
             offset = Text::coverage_offset(n, other(1));
             increment = Text::coverage_increment(n, other(2));
         }
-        const auto bits =
-            Text::coverage_mask(real::load(f.opacity.data() + i), thresholds_.threshold(cells),
-                                each_, offset, increment, samples_);
+        const real chi = thresholds_.in_frame(thresholds_.threshold(cells));
+        const auto bits = Text::coverage_mask(real::load(f.opacity.data() + i), chi, each_, offset,
+                                              increment, samples_);
         return {bits.low, bits.high};
     }
 

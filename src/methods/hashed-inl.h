@@ -14,14 +14,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
-// Text: has hashed_threshold.glsl's words.
+// Text: has the words of hashed_threshold.glsl and temporal_threshold.glsl.
 template <class Text>
 class HashedThresholds {
     using real = typename Text::real;
     using real3 = typename Text::real3;
+    using whole = typename Text::whole;
 
 public:
     explicit HashedThresholds(const ChosenMethod& method) : settings_(hashed_settings(method)) {}
+
+    void begin(const FrameOfFilm& frame)
+    {
+        period_ = frame.period;
+        frame_ = static_cast<std::uint32_t>(frame.number % frame.period);
+    }
 
     // Of fragments i, i + 1, ...
     HWY_INLINE typename Text::HashCells cells(const FragmentStream& f, std::size_t i) const
@@ -43,7 +50,8 @@ public:
                                       : Text::continuous_cells(place, each);
         }
         if (!settings_.third) cells.coarse.z = cells.fine.z = real(0.0f);
-        return cells;
+        const bool moves = settings_.frames == HashFrames::offsets && frame_ != 0;
+        return moves ? Text::frame_cells(cells, whole(frame_)) : cells;
     }
     HWY_INLINE real threshold(const typename Text::HashCells& cells) const
     {
@@ -53,8 +61,19 @@ public:
         return Text::threshold_of_cells(cells, settings_.hash, settings_.uniform);
     }
 
+    // A threshold as the frame has it.
+    HWY_INLINE real in_frame(real threshold) const
+    {
+        if (settings_.frames < HashFrames::linear) return threshold;
+        const int order = static_cast<int>(settings_.frames) - static_cast<int>(HashFrames::linear);
+        const whole stratum = Text::frame_stratum(whole(frame_), period_, order);
+        return Text::stratified_threshold(threshold, stratum, period_);
+    }
+
 private:
     HashedSettings settings_;
+    int period_ = 1;
+    std::uint32_t frame_ = 0;  // in [0, period_)
 };
 
 }  // namespace sheer::HWY_NAMESPACE

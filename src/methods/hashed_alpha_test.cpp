@@ -20,6 +20,7 @@ struct HashedTestText {
 #include "sheer/random.glsl"
 #include "sheer/alpha_test.glsl"
 #include "sheer/hashed_threshold.glsl"
+#include "sheer/temporal_threshold.glsl"
 #include "sheer/fade_in.glsl"
 };
 
@@ -34,10 +35,10 @@ public:
         : thresholds_(*shape.method), fade_levels_(fade_in_levels(*shape.method))
     {
     }
-    void clear(const TilePlace&) {}
+    void clear(const TilePlace& place) { thresholds_.begin(place.film); }
     HWY_INLINE KeptSamples keep(const FragmentStream& f, std::size_t i, FragmentLanes::whole) const
     {
-        real threshold = thresholds_.threshold(thresholds_.cells(f, i));
+        real threshold = thresholds_.in_frame(thresholds_.threshold(thresholds_.cells(f, i)));
         if (fade_levels_ > 0) {
             const real b = Text::fade_in(real::load(f.level.data() + i), real(fade_levels_));
             threshold = Text::faded_threshold(threshold, b);

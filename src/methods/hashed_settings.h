@@ -7,12 +7,26 @@ namespace sheer {
 
 enum class HashVariant { isotropic, anisotropic, eight_corners };
 
+// What becomes of thresholds from frame to frame.
+enum class HashFrames { still, offsets, linear, alternating, van_der_corput };
+
 struct HashedSettings {
     HashVariant variant;
     float hash_scale;  // cells, in pixels
     int hash;          // as shaders/sheer/hashed_threshold.glsl numbers them
     bool octaves = true, uniform = true, third = true;
+    HashFrames frames = HashFrames::still;
 };
+
+inline HashFrames hash_frames(const ChosenMethod& method)
+{
+    const std::string& frames = method.value("frames");
+    return frames == "still"         ? HashFrames::still
+           : frames == "offsets"     ? HashFrames::offsets
+           : frames == "linear"      ? HashFrames::linear
+           : frames == "alternating" ? HashFrames::alternating
+                                     : HashFrames::van_der_corput;
+}
 
 inline HashedSettings hashed_settings(const ChosenMethod& method)
 {
@@ -28,7 +42,8 @@ inline HashedSettings hashed_settings(const ChosenMethod& method)
                                 : 3,
             without != "octaves",
             without != "uniform",
-            without != "third"};
+            without != "third",
+            hash_frames(method)};
 }
 
 // Of hashed-alpha-test: the level from which on there is noise alone; 0: from the first.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 #include <string>
-#include <tuple>
 #include <vector>
 
 #include "methods/method.h"
@@ -52,18 +51,21 @@ inline std::vector<ChosenMethod> every_combination(const MethodRow& row)
     return choices;
 }
 
-// Pairs of parameters with their values.
-using Pairs = std::set<std::tuple<std::size_t, std::size_t, std::string, std::string>>;
-
-inline Pairs pairs_of(const ChosenMethod& choice)
+// Numbers of the pairs of two parameters' values that a choice has; `lists` are all values of each.
+inline std::vector<std::size_t> pairs_of(const std::vector<std::vector<std::string>>& lists,
+                                         const ChosenMethod& choice)
 {
-    Pairs pairs;
-    for (std::size_t i = 0; i < choice.values.size(); ++i) {
+    std::vector<std::size_t> numbers, places;
+    std::size_t before = 0;  // pairs of the parameters that were looked at
+    for (std::size_t i = 0; i < lists.size(); ++i) {
+        const auto found = std::find(lists[i].begin(), lists[i].end(), choice.values[i]);
+        places.push_back(static_cast<std::size_t>(found - lists[i].begin()));
         for (std::size_t j = 0; j < i; ++j) {
-            pairs.emplace(i, j, choice.values[i], choice.values[j]);
+            numbers.push_back(before + places[i] * lists[j].size() + places[j]);
+            before += lists[i].size() * lists[j].size();
         }
     }
-    return pairs;
+    return numbers;
 }
 
 // Every combination where there are few; else as many of them as have every pair of two parameters'
@@ -73,23 +75,28 @@ inline std::vector<ChosenMethod> every_choice(const MethodRow& row)
     constexpr std::size_t kFew = 16;
     const std::vector<ChosenMethod> all = every_combination(row);
     if (all.size() <= kFew) return all;
-    std::vector<Pairs> pairs;
-    Pairs missing;
+    std::vector<std::vector<std::string>> lists;
+    for (const Parameter& parameter : row.parameters) lists.push_back(values_of(parameter));
+    std::vector<std::vector<std::size_t>> pairs;
+    std::vector<char> missing;
     for (const ChosenMethod& choice : all) {
-        pairs.push_back(pairs_of(choice));
-        missing.insert(pairs.back().begin(), pairs.back().end());
+        pairs.push_back(pairs_of(lists, choice));
+        for (const std::size_t pair : pairs.back()) {
+            missing.resize(std::max(missing.size(), pair + 1));
+            missing[pair] = 1;
+        }
     }
-    const auto gain = [&](const Pairs& some) {
+    const auto gain = [&](const std::vector<std::size_t>& some) {
         return std::count_if(some.begin(), some.end(),
-                             [&](const auto& pair) { return missing.count(pair) != 0; });
+                             [&](std::size_t p) { return missing[p] != 0; });
     };
     std::vector<ChosenMethod> choices;
-    while (!missing.empty()) {
+    while (std::count(missing.begin(), missing.end(), 1) > 0) {
         const auto best =
             std::max_element(pairs.begin(), pairs.end(),
-                             [&](const Pairs& a, const Pairs& b) { return gain(a) < gain(b); });
+                             [&](const auto& a, const auto& b) { return gain(a) < gain(b); });
         choices.push_back(all[static_cast<std::size_t>(best - pairs.begin())]);
-        for (const auto& pair : *best) missing.erase(pair);
+        for (const std::size_t pair : *best) missing[pair] = 0;
     }
     return choices;
 }

@@ -7,6 +7,7 @@
 #include "sheer/stochastic.glsl"
 #include "sheer/alpha_test.glsl"
 #include "sheer/hashed_threshold.glsl"
+#include "sheer/temporal_threshold.glsl"
 #include "sheer/fade_in.glsl"
 #include "fragment_list.glsl"
 #include "hashed_names.glsl"
