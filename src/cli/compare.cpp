@@ -9,6 +9,7 @@
 #include "cli/command_words.h"
 #include "cli/commands.h"
 #include "cli/compare_report.h"
+#include "cli/film_options.h"
 #include "cli/folder.h"
 #include "cli/help_text.h"
 #include "cli/method_lists.h"
@@ -19,6 +20,7 @@
 #include "cli/view_options.h"
 #include "compare/comparison.h"
 #include "compare/error_map.h"
+#include "compare/film.h"
 #include "compare/pixel_kinds.h"
 #include "compare/probe_curves.h"
 #include "compare/probes.h"
@@ -46,6 +48,7 @@ struct CompareRequest {
     SceneOptions scene;
     std::string folder;
     ViewOptions given;
+    FilmOptions film;
     std::vector<std::string> methods;
     std::vector<int> samples = {8};
     int seeds = 8;
@@ -92,6 +95,11 @@ std::string file_stem(std::string method, int samples)
     }
     return method + ".s" + std::to_string(samples);
 }
+// Whether what the frames show is something else than the last picture.
+bool averages(const CompareRequest& request)
+{
+    return request.film.taa.kind != TemporalAntialiasing::Kind::none;
+}
 std::string file_stem(const Compared& compared)
 {
     return file_stem(compared.method, compared.stats.samples);
@@ -107,6 +115,8 @@ void check_folder(const CompareRequest& request)
             const std::string stem = file_stem(method, samples);
             for (const char* suffix : {".exr", ".png", ".error.png"})
                 names.push_back(stem + suffix);
+            if (!averages(request)) continue;
+            for (const char* suffix : {".last.exr", ".last.png"}) names.push_back(stem + suffix);
         }
     }
     for (const std::string& name : names) check_writable(request.folder + "/" + name);
@@ -119,6 +129,7 @@ struct Result {
     std::vector<Probe> probes;
     std::vector<std::vector<std::uint64_t>> kinds;  // pixels in each band of each scale
     ProbeCurves curves;
+    std::vector<Filmed> film;  // of each of `all`; empty without frames
 };
 
 std::uint64_t picture_bytes(const View& view)
@@ -156,6 +167,7 @@ Result compare_all(const Scene& scene, CompareRequest& request)
                   {},
                   {},
                   {},
+                  {},
                   {}};
     if (options.memory_limit != 0) release_free_memory();
     for (std::size_t i = 0; i < request.samples.size(); ++i) {
@@ -174,6 +186,25 @@ Result compare_all(const Scene& scene, CompareRequest& request)
     result.curves = probe_curves(fragments, request.methods,
                                  {samples, targets_of(options.simd), frame_key(options.seed, 0)});
     return result;
+}
+
+// All frames; then the request is about the last.
+std::vector<Filmed> film_all(const Scene& scene, CompareRequest& request)
+{
+    ProgressBar bar("filming");
+    const FilmOptions& film = request.film;
+    const FrameRange frames = *film.frames;
+    const View view = request.given.view;
+    Options options = request.given.options;
+    options.progress = [&](double part) { bar.update(part); };
+    const auto view_in = [&](int frame) { return view_of_frame(scene, view, film.path, frame); };
+    for (int i = frames.first; i <= frames.last; ++i) view_in(i);
+    std::vector<Filmed> filmed = film_methods(
+        scene, options,
+        {request.methods, request.samples, frames.first, frames.last, view_in, film.taa});
+    request.given.view = view_in(frames.last);
+    request.given.options = options_of_frame(request.given.options, film, frames.last);
+    return filmed;
 }
 
 // Returns it as an address too.
@@ -215,12 +246,21 @@ void run_compare(CompareRequest request)
     const Scene scene = load_scene(request.scene, request.given.options.memory_limit);
     make_folder(request.folder);
     check_folder(request);
-    const Result result = compare_all(scene, request);
+    std::vector<Filmed> film;
+    if (request.film.frames) film = film_all(scene, request);
+    Result result = compare_all(scene, request);
+    for (std::size_t i = 0; i < film.size(); ++i) result.all[i].film = film[i].scores;
+    result.film = std::move(film);
     ReportPictures pictures = write_pictures(request, result);
     const double scale = pictures.scale;
 
     std::vector<MetricsRow> rows;
     for (const Compared& c : result.all) rows.push_back({c, file_stem(c)});
+    for (std::size_t i = 0; averages(request) && i < rows.size(); ++i) {
+        const std::string stem = request.folder + "/" + rows[i].stem + ".last";
+        write_image(stem + ".exr", result.film[i].last);
+        write_image(stem + ".png", result.film[i].last);
+    }
     Json json = {
         {"scene", request.scene.source},
         {"truth", {{"image", "truth.exr"}, {"samples", truth_samples(request.given.view)}}},
@@ -233,6 +273,7 @@ void run_compare(CompareRequest request)
                compare_html({.scene = request.scene.source,
                              .command = request.command,
                              .shared_words = request.shared_words,
+                             .film = request.film.frames.has_value(),
                              .width = result.truth.width,
                              .height = result.truth.height,
                              .truth_samples = truth_samples(request.given.view),
@@ -284,6 +325,12 @@ constexpr const char* kMeaning =
     "of\n"
     "               such opacity, of such gaps between layers\n"
     "  x blend      total time over that of 'blend'; 'sheer bench' measures times better\n"
+    "With --frames those are of the last one, without --taa. Of all of them, as they are shown:\n"
+    "  rmse frames  root mean square against the truth of each\n"
+    "  flicker      the same of the change from frame to frame, less that of the truth\n"
+    "  ghosting     of the part of the error that is a sum of multiples of C_(t-k) - C_t, with C_t "
+    "the\n"
+    "               truth in frame t and k = 1, 2, 4, 8: what was there before and still shows\n"
     "Bias and noise of a random method are unknown (-, null) with one seed.\n";
 
 std::string usual_help()
@@ -303,18 +350,20 @@ void add_compare_command(CLI::App& tool)
     add_own_options(*command, *request);
     add_override_options(*command, request->scene);
     add_view_options(*command, request->given);
+    add_film_options(*command, request->film);
     const std::string examples = examples_help(
         {"sheer compare builtin:motor -o motor", "sheer compare scene.glb --samples 4,8,16 -o out",
          "sheer compare scene.glb --methods all -o out",
          "sheer compare scene.glb --methods wboit,stochastic:masks=naive --seeds 32 -o out",
+         "sheer compare tree.glb --frames 0..15 --orbit 10 --taa 0.1 -o out",
          "sheer compare scene.glb -o out --opacity 'Glass*=0.5' --mask-as-blend"});
     command->footer(std::string(kMeaning) + "\n" + usual_help() + "\n" + examples + "\n" +
                     methods_help() + "\n" + scenes_help());
     command->callback([request, command] {
         const auto words = given_words(*command, {});
         request->command = "sheer compare " + shell_line(words);
-        request->shared_words =
-            given_words(*command, {"--output", "--methods", "--samples", "--seeds", "--json"});
+        request->shared_words = given_words(
+            *command, {"--output", "--methods", "--samples", "--seeds", "--json", "--taa"});
         run_compare(*request);
     });
 }

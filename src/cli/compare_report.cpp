@@ -21,7 +21,7 @@ std::string render_command(const CompareReport& report, const MetricsRow& row)
     const std::string samples = std::to_string(row.compared.stats.samples);
     for (const std::string& word :
          {std::string("--method"), row.compared.method, std::string("--samples"), samples,
-          std::string("-o"), row.stem + ".png"}) {
+          std::string("-o"), row.stem + (report.film ? ".####.png" : ".png")}) {
         words.push_back(word);
     }
     return shell_line(words);

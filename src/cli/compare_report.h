@@ -25,6 +25,7 @@ struct CompareReport {
     std::string scene;
     std::string command;                    // that made all of this
     std::vector<std::string> shared_words;  // of that, what `render` needs too
+    bool film;                              // `render` needs a name with the frame's number
     int width, height;
     int truth_samples;
     ReportPictures pictures;

@@ -29,6 +29,10 @@ Json row_json(const MetricsRow& row)
     json["bias_mean"] = s.bias_mean;
     json["noise"] = or_none(s.noise);
     json["ratio_to_blend"] = s.ratio_to_blend;
+    const FilmScores film = row.compared.film.value_or(FilmScores{or_none({}), {}, {}});
+    json["rmse_frames"] = film.rmse;
+    json["flicker"] = or_none(film.flicker);
+    json["ghosting"] = or_none(film.ghosting);
     for (std::size_t i = 0; i < row.compared.failures.size(); ++i) {
         Json& errors = json["failures"][kind_scales()[i].id] = Json::array();
         for (const auto& error : row.compared.failures[i]) errors.push_back(or_none(error));
@@ -80,6 +84,12 @@ std::string metrics_table(const std::vector<MetricsRow>& rows)
     TextTable table{.left = 1, .last_is_prose = false, .rows = {}};
     table.rows.push_back({"method", "S", "rmse", "rmse same S", "psnr", "ssim", "flip", "bias",
                           "bias mean r", "g", "b", "noise", "x blend"});
+    const bool film = !rows.empty() && rows.front().compared.film;
+    if (film) {
+        for (const char* name : {"rmse frames", "flicker", "ghosting"}) {
+            table.rows.back().push_back(name);
+        }
+    }
     for (const MetricsRow& row : rows) {
         const Scores& s = row.compared.scores;
         table.rows.push_back(
@@ -87,6 +97,11 @@ std::string metrics_table(const std::vector<MetricsRow>& rows)
              fixed(s.rmse_same_s, 3), fixed(s.psnr, 2), fixed(or_none(s.ssim), 4), fixed(s.flip, 4),
              fixed(or_none(s.bias), 3), fixed(s.bias_mean[0], 3), fixed(s.bias_mean[1], 3),
              fixed(s.bias_mean[2], 3), fixed(or_none(s.noise), 3), fixed(s.ratio_to_blend, 2)});
+        if (!film) continue;
+        const FilmScores& f = *row.compared.film;
+        for (const double value : {f.rmse, or_none(f.flicker), or_none(f.ghosting)}) {
+            table.rows.back().push_back(fixed(value, 3));
+        }
     }
     return table.text();
 }

@@ -9,6 +9,7 @@
 #include <sheer/render.h>
 #include <sheer/scene.h>
 
+#include "compare/film_errors.h"
 #include "compare/pixel_kinds.h"
 
 namespace sheer {
@@ -39,6 +40,7 @@ struct Compared {
     Scores scores;
     // Parts of rmse_same_s; empty if not asked for.
     BandErrors failures;
+    std::optional<FilmScores> film = {};  // for the caller to fill in
 };
 
 struct ComparisonRequest {

@@ -62,6 +62,17 @@ const columns = [
   {id: 'peak_memory', title: 'peak MiB', value: (r) => r.peak_memory_bytes / MIB, digits: 1,
    meaning: 'The most memory that the process took; all methods are drawn together.'},
 ];
+if (data.results.some((row) => row.rmse_frames !== null)) {
+  columns.push(
+    {id: 'rmse_frames', title: 'rmse frames', value: (r) => r.rmse_frames, digits: 3, error: true,
+     meaning: 'Root mean square of the difference from the truth over all frames, of what is ' +
+              'shown.'},
+    {id: 'flicker', title: 'flicker', value: (r) => r.flicker, digits: 3, error: true,
+     meaning: 'Root mean square of the change from frame to frame beyond that of the truth.'},
+    {id: 'ghosting', title: 'ghosting', value: (r) => r.ghosting, digits: 3, error: true,
+     meaning: 'Root mean square of that part of the error which earlier frames of the truth ' +
+              'explain.'});
+}
 const columnOf = (id) => columns.find((column) => column.id === id);
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 const numberText = (value, digits) => (isNumber(value) ? value.toFixed(digits) : '–');
