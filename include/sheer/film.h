@@ -36,7 +36,8 @@ struct CameraPath {
 bool moves(const CameraPath& path);
 
 // The view with the camera of a frame: with eye, target and fov. Without any in view and path, the
-// camera that `render` would take, its target where its axis passes the middle of the scene. Throws
+// camera that `render` would take, its target where its axis passes the middle of what is not
+// opaque, or of everything. Throws
 // Error with Fault::input where eye and target meet, and where that camera has no angle of view.
 View view_of_frame(const Scene& scene, const View& view, const CameraPath& path, int frame);
 

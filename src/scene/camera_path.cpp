@@ -70,7 +70,9 @@ CameraKey camera_of(const Scene& scene, const View& view)
                     "eye: the camera is orthographic; one that moves needs an eye and a target");
     }
     double middle[3] = {}, distance = 0, axis[3];
-    const std::vector<Vec3> corners = corner_points(scene);
+    // What is behind the models may be far away and large.
+    std::vector<Vec3> corners = corner_points(scene, CornersOf::transparent);
+    if (corners.empty()) corners = corner_points(scene);
     for (std::size_t i = 0; i < 3; ++i) {
         const auto [least, most] =
             std::minmax_element(corners.begin(), corners.end(),

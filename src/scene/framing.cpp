@@ -8,6 +8,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/transparency.h"
+
 namespace sheer {
 namespace {
 
@@ -149,15 +151,20 @@ bool orthonormalize(const std::array<Vec3, 3>& right_up_back, Pose& pose)
 
 std::vector<Vec3> corner_points(const Scene& scene, CornersOf which)
 {
-    const auto is_wanted = [&](const Mesh& mesh) {
-        return which == CornersOf::all || scene.materials[mesh.material].shading != Shading::unlit;
+    const auto is_wanted = [&](const Object& object) {
+        if (which == CornersOf::all) return true;
+        const std::size_t number = scene.meshes[object.mesh].material;
+        if (number >= scene.materials.size()) return false;  // of a scene that nobody checked
+        const Material& material = scene.materials[number];
+        return which == CornersOf::lit ? material.shading != Shading::unlit
+                                       : makes_fragments(material, object, true);
     };
     std::vector<Box> boxes;
     for (const Mesh& mesh : scene.meshes) boxes.push_back(bounds_of(mesh));
     std::vector<Vec3> points;
     for (const Object& object : scene.objects) {
         if (object.mesh >= boxes.size() || boxes[object.mesh].empty()) continue;
-        if (!is_wanted(scene.meshes[object.mesh])) continue;
+        if (!is_wanted(object)) continue;
         for (unsigned i = 0; i < 8; ++i) {
             const Vec3 p = transform(object.transform, boxes[object.mesh].corner(i));
             if (finite(p)) points.push_back(p);

@@ -21,7 +21,8 @@ Pose look_along(const Vec3& eye, const Vec3& back);
 // Gram and Schmidt, from back to right; false when the axes don't span space. Leaves the eye.
 bool orthonormalize(const std::array<Vec3, 3>& right_up_back, Pose& pose);
 
-enum class CornersOf { all, lit };  // lit: without objects whose material is unlit
+// lit: without objects whose material is unlit; transparent: of those that methods see, MASK too.
+enum class CornersOf { all, lit, transparent };
 
 // The corners of each object's bounds, in world space.
 std::vector<Vec3> corner_points(const Scene& scene, CornersOf which = CornersOf::all);

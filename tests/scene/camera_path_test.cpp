@@ -115,6 +115,26 @@ TEST(CameraPath, StartsFromTheCameraThatRenderTakes)
     EXPECT_FALSE(view_of_frame(scene, view, {}, 3).eye) << "nothing moves";
 }
 
+// A wall far behind does not take the target along.
+TEST(CameraPath, TurnsAboutWhatIsTransparent)
+{
+    Scene scene = box_scene({-1, -1, -1}, {1, 1, 1});
+    scene.materials.resize(2);
+    scene.materials[0].alpha_mode = AlphaMode::mask;
+    scene.materials[1].alpha_mode = AlphaMode::opaque;
+    Mesh wall;
+    wall.positions = {{-1, -1, -90}, {1, 1, -80}};
+    wall.material = 1;
+    scene.meshes.push_back(wall);
+    scene.objects.push_back({"wall", 1, kIdentity, 1});
+    scene.cameras.resize(1);
+    scene.cameras[0].transform[14] = 5;
+    const View view = view_of(8, 8);
+    EXPECT_EQ(*view_of_frame(scene, view, path_of(90, 1), 0).target, (Float3{0, 0, 0}));
+    scene.materials[0].alpha_mode = AlphaMode::opaque;
+    EXPECT_EQ(*view_of_frame(scene, view, path_of(90, 1), 0).target, (Float3{0, 0, -44.5f}));
+}
+
 TEST(CameraPath, CamerasWithoutAnAngleDoNotMove)
 {
     Scene scene = box_scene({-1, -1, -1}, {1, 1, 1});
