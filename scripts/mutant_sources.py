@@ -81,6 +81,7 @@ def gltf():
     }
     buffer.accessors[attributes["COLOR_0"]]["normalized"] = True
     indices = buffer.accessor("SCALAR", "H", [0, 1, 2, 2, 1, 3])
+    times = buffer.accessor("SCALAR", "f", [0, 1])
     moved = buffer.accessor("VEC3", "f", [0, 0, 0.1] * 4)
     buffer.accessors[moved]["sparse"] = {
         "count": 1,
@@ -128,6 +129,28 @@ def gltf():
             {
                 "joints": [1, 3],
                 "inverseBindMatrices": buffer.accessor("MAT4", "f", unit * 2),
+            }
+        ],
+        "animations": [
+            {
+                "channels": [
+                    {"sampler": i, "target": {"node": node, "path": path}}
+                    for i, (node, path) in enumerate(
+                        [(4, "translation"), (1, "rotation"), (0, "weights")])
+                ],
+                "samplers": [
+                    {"input": times, "output": buffer.accessor("VEC3", "f", [0, 0, 4, 0, 1, 4])},
+                    {
+                        "input": times,
+                        "output": buffer.accessor("VEC4", "f", [0, 0, 0, 1] * 6),
+                        "interpolation": "CUBICSPLINE",
+                    },
+                    {
+                        "input": times,
+                        "output": buffer.accessor("SCALAR", "f", [0, 1]),
+                        "interpolation": "STEP",
+                    },
+                ],
             }
         ],
         "cameras": [

@@ -151,13 +151,19 @@ def judge(code, message, folder):
     return f"exit code {code}, {len(lines)} lines on standard error, files {left}: {said}"
 
 
+def options_of(case):
+    """Animations are played where a file may have some."""
+    playing = ["--time", "0.5"] if case.scene.suffix.lower() in (".gltf", ".glb") else []
+    return [*OPTIONS, *playing]
+
+
 def run(case, settings, work):
     """'accepted', 'refused', or what is wrong; the fault's files are kept then."""
     folder = work / case.name
     scene, output = folder / "in" / case.scene, folder / "out"
     output.mkdir(parents=True)
     case.write(folder / "in")
-    command = [settings.tool, "render", scene, "-o", output / "picture.png", *OPTIONS]
+    command = [settings.tool, "render", scene, "-o", output / "picture.png", *options_of(case)]
     try:
         done = subprocess.run(
             limited(command, settings), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
@@ -169,7 +175,7 @@ def run(case, settings, work):
         kept = settings.keep / case.name
         shutil.rmtree(kept, ignore_errors=True)
         shutil.copytree(folder / "in", kept)
-        show = [settings.tool, "render", kept / case.scene, "-o", "picture.png", *OPTIONS]
+        show = [settings.tool, "render", kept / case.scene, "-o", "picture.png", *options_of(case)]
         outcome = f"{case.name}: {outcome}\n    " + " ".join(f"'{word}'" for word in show)
     shutil.rmtree(folder)
     return outcome

@@ -20,6 +20,11 @@ struct LoadOptions {
     // Of a glTF file with several scenes: a name, or a number counted from 0. Unset: the file's
     // choice. Other files and built-in scenes have none to choose from.
     std::optional<std::string> scene = std::nullopt;
+    // Of a glTF file: seconds into an animation; nodes are where it moves them, skins and morph
+    // targets with them. Unset: as they stand in the file.
+    std::optional<double> time = std::nullopt;
+    // Which: a name, or a number counted from 0. Unset: the first, if there is any.
+    std::optional<std::string> animation = std::nullopt;
     // Buffers, images and materials may lie outside of the folder of the file that names them. For
     // files that one trusts: a scene can then read all that its reader may.
     bool allow_any_file = false;

@@ -26,6 +26,9 @@ Scene load_scene(const std::string& source, const LoadOptions& options)
 {
     constexpr std::string_view kBuiltin = "builtin:";
     if (source.starts_with(kBuiltin)) {
+        if (options.time || options.animation) {
+            throw Error(Fault::input, source + ": only glTF files have animations");
+        }
         if (!options.scene) return make_builtin(source.substr(kBuiltin.size()));
         throw Error(Fault::input,
                     source + ": only glTF files have scenes to choose from by --scene");

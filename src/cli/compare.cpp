@@ -199,9 +199,14 @@ std::vector<Filmed> film_all(const Scene& scene, CompareRequest& request)
     options.progress = [&](double part) { bar.update(part); };
     const auto view_in = [&](int frame) { return view_of_frame(scene, view, film.path, frame); };
     for (int i = frames.first; i <= frames.last; ++i) view_in(i);
-    std::vector<Filmed> filmed = film_methods(
-        scene, options,
-        {request.methods, request.samples, frames.first, frames.last, view_in, film.taa});
+    FilmRequest asked{request.methods, request.samples, frames.first,
+                      frames.last,     view_in,         film.taa};
+    if (film.fps) {
+        asked.scene = [&](int frame) {
+            return scene_of_frame(request.scene, film, frame, options.memory_limit);
+        };
+    }
+    std::vector<Filmed> filmed = film_methods(scene, options, asked);
     request.given.view = view_in(frames.last);
     request.given.options = options_of_frame(request.given.options, film, frames.last);
     return filmed;
@@ -243,7 +248,9 @@ void run_compare(CompareRequest request)
 {
     check_request(request);
     drop_repeated(request);
-    const Scene scene = load_scene(request.scene, request.given.options.memory_limit);
+    const int last = request.film.frames ? request.film.frames->last : 0;
+    const Scene scene =
+        scene_of_frame(request.scene, request.film, last, request.given.options.memory_limit);
     make_folder(request.folder);
     check_folder(request);
     std::vector<Filmed> film;

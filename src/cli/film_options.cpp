@@ -1,4 +1,4 @@
-// --frames, --orbit, --dolly, --camera-path, --taa, --taa-period
+// --frames, --fps, --orbit, --dolly, --camera-path, --taa, --taa-period
 #include "cli/film_options.h"
 
 #include "cli/values.h"
@@ -91,6 +91,16 @@ void add_film_options(CLI::App& command, FilmOptions& given)
         "2, 4, "
         "8, 16, 32 or 64 (8)",
         [&given](auto& option, auto& text) { given.taa.period = parse_period(option, text); });
+    add("--fps", "N",
+        "Play the scene's animation, N frames a second: frame 0 is\n--time or the beginning. The "
+        "scene is read for each frame",
+        [&given](auto& option, auto& text) {
+            given.fps = parse_float(option, text);
+            if (!(*given.fps >= 0.001f && *given.fps <= 1e6f)) {
+                throw Error(Fault::input,
+                            option + ": '" + text + "' is not between 0.001 and 1000000");
+            }
+        });
     // Each key says all of it.
     for (const char* other : {"--camera", "--eye", "--target", "--fov"}) {
         path->excludes(command.get_option(other));
@@ -104,6 +114,14 @@ View view_of_frame(const Scene& scene, const View& view, const FilmOptions& film
         result.sample_shift = sample_shift(film.taa.period, frame);
     }
     return result;
+}
+
+Scene scene_of_frame(const SceneOptions& source, const FilmOptions& film, int frame,
+                     std::uint64_t memory_limit)
+{
+    SceneOptions then = source;
+    if (film.fps) then.load.time = source.load.time.value_or(0) + frame / double{*film.fps};
+    return load_scene(then, memory_limit);
 }
 
 Options options_of_frame(const Options& options, const FilmOptions& film, int frame)

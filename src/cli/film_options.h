@@ -8,6 +8,8 @@
 
 #include <sheer/film.h>
 
+#include "cli/scene_options.h"
+
 namespace sheer {
 
 struct FrameRange {
@@ -20,10 +22,14 @@ struct FilmOptions {
     std::optional<FrameRange> frames;
     CameraPath path;
     TemporalAntialiasing taa;
+    std::optional<float> fps;  // of an animation that the scene plays
 };
 
 // What `view` and `options` are in a frame.
 View view_of_frame(const Scene& scene, const View& view, const FilmOptions& film, int frame);
+// The scene as it stands in a frame of an animation, where --fps plays one: read anew.
+Scene scene_of_frame(const SceneOptions& source, const FilmOptions& film, int frame,
+                     std::uint64_t memory_limit);
 Options options_of_frame(const Options& options, const FilmOptions& film, int frame);
 
 // After those of the view. `given` is filled while the command line is parsed and outlives

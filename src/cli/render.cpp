@@ -146,14 +146,19 @@ void check_path(const Scene& scene, const RenderRequest& request)
 void run_render(const RenderRequest& request)
 {
     check_request(request);
-    const Scene scene = load_scene(request.scene, request.given.options.memory_limit);
+    const std::uint64_t limit = request.given.options.memory_limit;
+    const FrameRange range = request.frames();
+    Scene scene = scene_of_frame(request.scene, request.film, range.first, limit);
     check_path(scene, request);
     std::vector<Stats> frames;
     double ms = 0;
     {
         ProgressBar bar("rendering");
         TemporalAverage average(request.film.taa);
-        for (int i = request.frames().first; i <= request.frames().last; ++i) {
+        for (int i = range.first; i <= range.last; ++i) {
+            if (request.film.fps && i > range.first) {
+                scene = scene_of_frame(request.scene, request.film, i, limit);
+            }
             frames.push_back(draw_frame(scene, request, i, average, bar));
             ms += frames.back().ms_total;
         }

@@ -92,6 +92,14 @@ void add_scene_options(CLI::App& command, SceneOptions& given)
     add_value(command, "--scene", "NAME|NUMBER", "Of a glTF file with several (the file's choice)",
               [&given](auto&, auto& text) { given.load.scene = text; })
         ->group(kGroup);
+    add_value(
+        command, "--time", "SECONDS", "Into an animation of a glTF file (as the file stands)",
+        [&given](auto& option, auto& text) { given.load.time = double{parse_float(option, text)}; })
+        ->group(kGroup);
+    add_value(command, "--animation", "NAME|NUMBER",
+              "Which animation, with --time or --fps (the first)",
+              [&given](auto&, auto& text) { given.load.animation = text; })
+        ->group(kGroup);
     command
         .add_flag("--allow-any-file", given.load.allow_any_file,
                   "Read also what lies outside of the scene's folder, for\n"

@@ -42,7 +42,7 @@ void draw_methods(const Scene& scene, View view, const Options& options, const F
 
 }  // namespace
 
-std::vector<Filmed> film_methods(const Scene& scene, const Options& options,
+std::vector<Filmed> film_methods(const Scene& first, const Options& options,
                                  const FilmRequest& request)
 {
     const std::size_t count = request.methods.size() * request.samples.size();
@@ -60,6 +60,9 @@ std::vector<Filmed> film_methods(const Scene& scene, const Options& options,
                 options.progress(done + (from + part * (to - from)) / frames);
             };
         };
+        Scene moved;
+        if (request.scene) moved = request.scene(frame);
+        const Scene& scene = request.scene ? moved : first;
         View view = request.view(frame);
         view.sample_shift = {};
         report(0, kTruth);

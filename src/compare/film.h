@@ -19,6 +19,8 @@ struct FilmRequest {
     int first = 0, last = 0;
     std::function<View(int frame)> view;  // of a frame; samples and shift do not count
     TemporalAntialiasing taa;             // of the methods, not of the truth
+    // Of a frame, where the scene is not the same in all; else unset.
+    std::function<Scene(int frame)> scene = {};
 };
 
 struct Filmed {

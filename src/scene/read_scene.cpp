@@ -47,6 +47,7 @@ bool is_unmarked(const Bytes&)
 void refuse_choice(const std::string& path, const LoadOptions& options)
 {
     if (options.scene) fail_in_file(path, "only glTF files have scenes to choose from by --scene");
+    if (options.time || options.animation) fail_in_file(path, "only glTF files have animations");
 }
 
 Scene read_obj_file(const std::string& path, Bytes content, const LoadOptions& options)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
+#include "scene/gltf_fixture.h"
 
 namespace sheer::test {
 namespace {
@@ -93,6 +94,31 @@ TEST_F(RenderFilmTest, ATurnEndsWhereItBegan)
     EXPECT_NE(file("a.0.exr"), file("a.1.exr"));
 }
 
+TEST_F(RenderFilmTest, PlaysAnimations)
+{
+    Builder builder = one_triangle();
+    const std::size_t times = builder.accessor("SCALAR", std::vector<float>{0, 2});
+    const std::size_t places = builder.accessor("VEC3", std::vector<float>{0, 0, 0, 1, 0, 0});
+    builder.json["animations"] = {
+        {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
+         {"samplers", {{{"input", times}, {"output", places}}}}}};
+    std::ofstream(tool_.file("a.gltf")) << builder.text();
+    const auto draw = [&](Words added) {
+        Words words = {"render", "a.gltf", "--size", "24x16",    "--method",
+                       "blend",  "--eye",  "1,1,9",  "--target", "1,1,0"};
+        words.insert(words.end(), added.begin(), added.end());
+        const Outcome outcome = tool_.run(words);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    };
+    draw({"-o", "a.#.exr", "--frames", "0..2", "--fps", "2"});
+    draw({"-o", "still.exr"});
+    draw({"-o", "late.exr", "--time", "1"});
+    EXPECT_EQ(file("a.0.exr"), file("still.exr"));
+    EXPECT_NE(file("a.1.exr"), file("a.0.exr"));
+    EXPECT_EQ(file("a.2.exr"), file("late.exr"));
+    EXPECT_NE(file("late.exr"), file("a.1.exr"));
+}
+
 TEST_F(RenderFilmTest, SaysWhatIsWrong)
 {
     expect_refusal("a.exr", {"--frames", "0..1"},
@@ -105,6 +131,11 @@ TEST_F(RenderFilmTest, SaysWhatIsWrong)
     expect_refusal("a#.exr", {"--frames", "5..3"}, "--frames: '5..3' ends before it begins");
     expect_refusal("a#.exr", {"--frames", "0..-1"}, "--frames: '-1' is not a whole number");
     expect_refusal("a.exr", {"--orbit", "30"}, "--orbit requires --frames");
+    expect_refusal("a.exr", {"--time", "1"}, "builtin:layers: only glTF files have animations");
+    expect_refusal("a#.exr", {"--frames", "0..1", "--fps", "0"}, "--fps: '0' is not between");
+    expect_refusal("a#.exr", {"--frames", "0..1", "--taa", "2"}, "--taa: '2' is neither above 0");
+    expect_refusal("a#.exr", {"--frames", "0..1", "--taa-period", "6"},
+                   "--taa-period: 6 is not one");
     expect_refusal("a#.exr", {"--frames", "0..1", "--dolly", "0"}, "--dolly: '0' is not between");
     expect_refusal("a#.exr", {"--frames", "0..1", "--camera-path", "none.json"}, "none.json: ");
 }

@@ -29,12 +29,15 @@ Scene read_document(const std::string& path, Bytes content, const LoadOptions& o
     gltf::Import import{.document = gltf::Document(path, std::move(content)), .options = options};
     check_asset(import.document);
     read_materials(import);
+    import.poses = read_poses(import);
     const std::vector<gltf::PlacedNode> nodes = place_nodes(import);
     place_objects(import, nodes);
     place_cameras(import, nodes);
     place_lights(import, nodes);
     load_images(import);
-    import.notes.add("animations", "not played", import.document.count("animations"));
+    if (!options.time) {
+        import.notes.add("animations", "not played", import.document.count("animations"));
+    }
     import.scene.ignored = import.notes.lines();
     return std::move(import.scene);
 }

@@ -9,6 +9,7 @@
 #include <sheer/scene.h>
 
 #include "scene/gltf.h"
+#include "scene/gltf/animation.h"
 #include "scene/gltf/buffers.h"
 #include "scene/gltf/document.h"
 #include "scene/gltf/notes.h"
@@ -28,6 +29,7 @@ struct Import {
     std::optional<std::uint32_t> default_material = {};  // in Scene::materials, once it is needed
     // Copies of materials for lines and points: by the material, and whether the copy is unlit.
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> line_materials = {};
+    Poses poses = {};  // once they are read
     Scene scene = {};
 };
 

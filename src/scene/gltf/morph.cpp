@@ -1,5 +1,4 @@
-// Morph targets (glTF 2.0, section 3.7.2.2), under the weights that the file gives. Those that
-// animations would give are not applied.
+// Morph targets (glTF 2.0, section 3.7.2.2), under the weights of the file or of an animation.
 
 #include "scene/gltf/morph.h"
 

@@ -13,10 +13,14 @@ namespace sheer::gltf {
 
 namespace {
 
-Matrix local_matrix(Import& import, const Value& node)
+Matrix local_matrix(Import& import, std::size_t number, const Value& node)
 {
+    const auto pose = import.poses.find(number);
+    const bool moved = pose != import.poses.end() && pose->second.moves();
     const bool placed = node.find("translation") || node.find("rotation") || node.find("scale");
-    if (const auto value = node.find("matrix")) {
+    if (moved && node.find("matrix")) {
+        import.notes.add("animated nodes with a matrix", "the animation counts");
+    } else if (const auto value = node.find("matrix")) {
         if (placed) {
             import.notes.add("nodes with a matrix and translation, rotation or scale",
                              "the matrix counts");
@@ -25,7 +29,7 @@ Matrix local_matrix(Import& import, const Value& node)
         if (!matrix) value->fail("the last row must be 0 0 0 1");
         return *matrix;
     }
-    if (!placed) return kIdentityMatrix;
+    if (!placed && !moved) return kIdentityMatrix;
     Placement placement;
     placement.translation = numbers_or<3>(node, "translation", placement.translation);
     placement.scale = numbers_or<3>(node, "scale", placement.scale);
@@ -33,6 +37,7 @@ Matrix local_matrix(Import& import, const Value& node)
     if (!normalize(placement.rotation)) {
         node.member("rotation").fail("must be a unit quaternion");
     }
+    if (moved) pose->second.replace(placement);
     return matrix_of(placement);
 }
 
@@ -137,7 +142,7 @@ std::vector<PlacedNode> place_nodes(Import& import)
         const PlacedNode next = waiting.back();
         waiting.pop_back();
         const Value node = document.item("nodes", next.number);
-        const Matrix local = local_matrix(import, node);
+        const Matrix local = local_matrix(import, next.number, node);
         const auto own = static_cast<std::int32_t>(placed.size());
         const PlacedNode here{next.number, multiply(next.world, local), next.parent,
                               whole_of(moves[next.number], next.whole, local)};

@@ -63,13 +63,12 @@ public:
         const auto instances = read_instances(import_, node);
         if (const Skin* skin = skin_of(node)) {
             if (instances) import_.notes.add("nodes with a skin and instances", "drawn once");
-            Shape shape = {morph_weights(import_.document.item("meshes", mesh), node), skin,
-                           determinant(placed.world) < 0};
+            Shape shape = {weights_of(placed.number, mesh), skin, determinant(placed.world) < 0};
             const auto meshes = read_mesh(import_, import_.document.item("meshes", mesh), shape);
             add(node, placed.parent, meshes, {kIdentityMatrix, std::nullopt});
             return;
         }
-        const MeshNumbers& meshes = shared_meshes(node, mesh);
+        const MeshNumbers& meshes = shared_meshes(placed.number, mesh);
         if (!instances) add(node, placed.parent, meshes, {placed.world, placed.whole});
         for (std::size_t i = 0; instances && i < instances->size(); ++i) {
             const Matrix& own = (*instances)[i];
@@ -101,10 +100,19 @@ private:
         }
     }
 
-    const MeshNumbers& shared_meshes(const Value& node, std::size_t number)
+    // An animation's, or else the file's.
+    std::vector<double> weights_of(std::size_t node, std::size_t mesh) const
+    {
+        const Document& document = import_.document;
+        const auto pose = import_.poses.find(node);
+        if (pose != import_.poses.end() && pose->second.weights) return *pose->second.weights;
+        return morph_weights(document.item("meshes", mesh), document.item("nodes", node));
+    }
+
+    const MeshNumbers& shared_meshes(std::size_t node, std::size_t number)
     {
         const Value mesh = import_.document.item("meshes", number);
-        const std::pair key(number, morph_weights(mesh, node));
+        const std::pair key(number, weights_of(node, number));
         const auto known = meshes_.find(key);
         if (known != meshes_.end()) return known->second;
         return meshes_[key] = read_mesh(import_, mesh, {.weights = key.second});
