@@ -13,8 +13,9 @@
 //   emitted = k_buffer_join(overflows, emitted, nearest);
 // or becomes one with the next nearest:
 //   layers[0] = k_buffer_join(overflows, nearest, layers[0]);
-// Exact for up to LAYERS + 1 fragments; else it depends on the order of arrival. Or the farthest
-// is forgotten, which is what f then is: exact for LAYERS fragments, in any order.
+// Exact for up to LAYERS + 1 fragments, and for any number that come from near to far or, where two
+// become one, from far to near; else it depends on the order of arrival. Or the farthest is
+// forgotten, which is what f then is: exact for LAYERS fragments, in any order.
 // Needs prelude.glsl, over.glsl, layers.glsl.
 
 SHEER_FN mask k_buffer_overflows(Layer fallen, real beyond_any)

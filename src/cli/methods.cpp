@@ -31,6 +31,12 @@ const char* name_of(Agreement agreement)
     return "none";
 }
 
+// Whether the stores of a scene's parts, merged, are the whole scene's.
+const char* parts_merge(const MethodTraits& traits)
+{
+    return traits.merges_in_order ? "in order" : name_of(traits.merge);
+}
+
 std::string exact_up_to(const MethodRow& row)
 {
     return row.traits.exact_up_to < 0 ? "any" : std::to_string(row.traits.exact_up_to);
@@ -68,6 +74,7 @@ Json methods_json()
              {"order_independent", row.traits.any_order != Agreement::none},
              {"any_order", name_of(row.traits.any_order)},
              {"merge", name_of(row.traits.merge)},
+             {"merges_in_order", row.traits.merges_in_order},
              {"random", row.traits.random},
              {"coloured", row.colored_verbs != nullptr},
              {"unbiased", row.traits.bias == Bias::exact || row.traits.bias == Bias::unbiased},
@@ -84,13 +91,13 @@ std::string properties_table()
 {
     const auto yes = [](bool value) { return value ? "yes" : "no"; };
     TextTable table{.left = 1, .last_is_prose = true, .rows = {}};
-    table.rows.push_back({"method", "passes", "bytes a pixel", "bounded", "any order", "coloured",
-                          "on average", "exact up to", "what it is"});
+    table.rows.push_back({"method", "passes", "bytes a pixel", "bounded", "any order",
+                          "parts merge", "coloured", "on average", "exact up to", "what it is"});
     for (const MethodRow& row : method_table()) {
         table.rows.push_back({row.id, std::to_string(row.traits.passes), row.traits.bytes_formula(),
                               yes(row.traits.bounded), name_of(row.traits.any_order),
-                              yes(row.colored_verbs != nullptr), name_of(row.traits.bias),
-                              exact_up_to(row),
+                              parts_merge(row.traits), yes(row.colored_verbs != nullptr),
+                              name_of(row.traits.bias), exact_up_to(row),
                               row.title + std::string(row.bench_only ? " (bench only)" : "")});
     }
     return table.text();
@@ -113,8 +120,8 @@ std::string methods_markdown()
 {
     std::string text =
         "| method | contribute | store | merge | normalise | bytes a pixel | passes | any order | "
-        "on average | exact up to |\n| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- "
-        "|\n";
+        "parts merge | on average | exact up to |\n"
+        "| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |\n";
     for (const MethodRow& row : method_table()) {
         const ContinuumPlace& place = row.continuum;
         const std::string cells[] = {"`" + std::string(row.id) + "`",
@@ -125,6 +132,7 @@ std::string methods_markdown()
                                      row.traits.bytes_formula(),
                                      std::to_string(row.traits.passes),
                                      name_of(row.traits.any_order),
+                                     parts_merge(row.traits),
                                      name_of(row.traits.bias),
                                      exact_up_to(row)};
         for (const std::string& cell : cells) text += "| " + cell + " ";
@@ -138,7 +146,9 @@ std::string methods_text()
     std::string text = properties_table() + "\n" + continuum_table();
     text +=
         "\nS: samples a pixel; N: fragments of the pixel; exact up to: fragments a sample\n"
-        "any order: the same for every order of the fragments, bit for bit or to rounding\n\n";
+        "any order: the same for every order of the fragments, bit for bit or to rounding\n"
+        "parts merge: so are the merged stores of parts of the scene, pass by pass; or in the "
+        "parts' order\n\n";
     for (const MethodRow& row : method_table()) {
         text += std::string(row.id) + ": " + row.citation + "\n";
         TextTable table{.left = 2, .last_is_prose = true, .rows = {}};

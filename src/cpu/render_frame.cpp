@@ -31,8 +31,10 @@ Take make_take(const Options& options)
     take.transparent = options.post_filter.cross_bilateral;
     take.film = {first_frame(options), options.period};
     if (take.transparent && !take.method.traits().divides) {
-        throw Error(Fault::input, "post filter: it needs the total alpha, which " + options.method +
-                                      " does not keep; stochastic:correction=on does");
+        throw Error(Fault::input,
+                    "post filter: it is for colours that are corrected by total alpha, as "
+                    "those of stochastic:correction=on; " +
+                        options.method + "'s are not");
     }
     return take;
 }

@@ -138,6 +138,7 @@ ChosenMethod choose_method(std::string_view text)
     const auto parts = split(text, ':');
     ChosenMethod chosen{&find_row(parts[0]), {}};
     for (const Parameter& p : chosen.row->parameters) chosen.values.emplace_back(p.standard);
+    std::vector<bool> is_given(chosen.values.size());
     for (std::size_t i = 1; i < parts.size(); ++i) {
         const std::size_t equals = parts[i].find('=');
         if (equals == std::string_view::npos) {
@@ -152,6 +153,11 @@ ChosenMethod choose_method(std::string_view text)
                                           quoted(value) +
                                           suggestion(value, split(parameter.values, '|')));
         }
+        if (is_given[at]) {
+            throw Error(Fault::input, "method: " + std::string(chosen.row->id) + ": " +
+                                          parameter.name + " is given twice");
+        }
+        is_given[at] = true;
         chosen.values[at] = value;
     }
     return chosen;

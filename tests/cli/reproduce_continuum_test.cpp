@@ -27,23 +27,27 @@ constexpr double kLargestZ = 5.5;
 TEST(CliReproduceContinuum, KnobTradesNoiseForBias)
 {
     const Json json = reproduce(Tool(), "slab-knob");
-    ASSERT_EQ(json["tables"].size(), 4u);
+    ASSERT_EQ(json["tables"].size(), 7u);
     double largest_bias = 0;
-    for (std::size_t scene = 0; scene < 3; ++scene) {
+    for (std::size_t scene = 0; scene < 5; ++scene) {
         std::map<std::string, Json> rows;
         for (const Json& row : json["tables"][scene]["rows"]) {
             const std::string k = std::to_string(row["k"].get<int>());
             rows[row["form"].get<std::string>() + " " + k + " " + row["b"].get<std::string>()] =
                 row;
         }
-        EXPECT_EQ(rows.size(), 4u * 13u);
+        EXPECT_EQ(rows.size(), 8u * 7u);
         for (const std::string k : {"4", "8"}) {
             // Stochastic transparency: without bias. A form with one shows what z would be.
-            EXPECT_LT(std::abs(rows["explicit " + k + " " + k]["z"].get<double>()), kLargestZ);
+            for (const char* form : {"explicit ", "explicit-one-pass "}) {
+                EXPECT_LT(std::abs(rows[form + k + " " + k]["z"].get<double>()), kLargestZ);
+            }
             largest_bias =
                 std::max(largest_bias, rows["explicit " + k + " 128"]["z"].get<double>());
             for (const char* form :
-                 {"explicit ", "explicit-corrected ", "implicit ", "implicit-corrected "}) {
+                 {"explicit ", "explicit-corrected ", "explicit-one-pass ",
+                  "explicit-one-pass-corrected ", "implicit ", "implicit-corrected ",
+                  "implicit-one-pass ", "implicit-one-pass-corrected "}) {
                 const Json& endless = rows[form + k + " infinity"];
                 EXPECT_EQ(endless["noise"], 0) << endless;
                 EXPECT_TRUE(endless["z"].is_null());
@@ -56,10 +60,44 @@ TEST(CliReproduceContinuum, KnobTradesNoiseForBias)
     }
     EXPECT_GT(largest_bias, kLargestZ);
     // Of bits without number coverage is the same, explicit or implicit.
-    for (const Json& row : json["tables"][3]["rows"]) {
+    for (const Json& row : json["tables"][5]["rows"]) {
         if (row["b"] == "infinity") {
             EXPECT_EQ(row["root mean square of that"], 0) << row;
         }
+    }
+    // The second plate is seen through 4 or 5 (0 or 1) of 8 samples: .05 (.046) of deviation times
+    // its own opacity .4 (.98), so that 5.1 (11.5) of 255 go into its channel.
+    for (const Json& row : json["tables"][6]["rows"]) {
+        if (row["scene"] == "two plates") {
+            EXPECT_EQ(row["noisier at .98"], "yes") << row;
+        }
+    }
+}
+
+TEST(CliReproduceContinuum, OrderMattersBeyondWhatIsExact)
+{
+    const Json json = reproduce(Tool(), "order-dependence");
+    ASSERT_EQ(json["tables"].size(), 3u);
+    // Of 64 colours below 1 the sum of rounding is below 64 x 2^-23 x 255.
+    constexpr double kRounding = 255 * 64 * 0x1p-23;
+    std::map<std::string, double> largest;
+    for (std::size_t plates = 0; plates < 2; ++plates) {
+        for (const Json& row : json["tables"][plates]["rows"]) {
+            const std::string name = row["method"];
+            const MethodTraits traits = choose_method(name).traits();
+            const int exact = row["exact up to"] == "any" ? 64 : row["exact up to"].get<int>();
+            for (const int layers : {4, 8, 16, 32, 64}) {
+                const double difference = row[std::to_string(layers)];
+                largest[name] = std::max(largest[name], difference);
+                if (traits.any_order != Agreement::none || layers <= exact) {
+                    EXPECT_LT(difference, kRounding) << row;
+                }
+            }
+        }
+    }
+    for (const auto& [name, difference] : largest) {
+        const bool depends = choose_method(name).traits().any_order == Agreement::none;
+        EXPECT_EQ(depends, difference > kRounding) << name;
     }
 }
 

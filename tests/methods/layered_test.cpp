@@ -138,10 +138,18 @@ TEST(Layered, MlabOfFiveLayersInEveryOrder)
     expect_exact_in_every_order("mlab:layers=32");
 }
 
-TEST(Layered, MlabWithOneLayerIsExactFromFarToNear)
+// Those that become one are neighbours then, and none comes between them later.
+TEST(Layered, JoinedInOrderOfDepthFewLayersAreExact)
 {
-    const Plates plates(five_layers().rbegin(), five_layers().rend());
-    expect_color(resolved("mlab:layers=1", plates, 4), kExact, kRounding);
+    const Plates near_to_far = five_layers();
+    const Plates far_to_near(near_to_far.rbegin(), near_to_far.rend());
+    for (const std::string method : {"mlab", "k-buffer:merge=nearest-two"}) {
+        for (const int layers : {1, 2}) {
+            SCOPED_TRACE(with_layers(method, layers));
+            expect_color(resolved(with_layers(method, layers), near_to_far, 4), kExact, kRounding);
+            expect_color(resolved(with_layers(method, layers), far_to_near, 4), kExact, kRounding);
+        }
+    }
 }
 
 TEST(Layered, Z3OfFiveLayersInEveryOrder)

@@ -37,6 +37,7 @@ Reproduce reproduce_hashed_cost;
 Reproduce reproduce_slab_knob;
 Reproduce reproduce_slab_strips;
 Reproduce reproduce_surfaces_in_samples;
+Reproduce reproduce_order_dependence;
 Reproduce reproduce_continuum_table;
 Reproduce reproduce_moment_table_1;
 Reproduce reproduce_moment_figure_1;

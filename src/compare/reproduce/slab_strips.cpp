@@ -121,7 +121,7 @@ void add_strip(const Strip& strip, Page& page, const ReproduceJob& job, double& 
     const std::string source = job.quick ? strip.quick_source : strip.source;
     const Scene scene = load(source);
     const Image exact = draw_method(scene, view, "exact", job.options);
-    const Crop crop = job.quick ? Crop{20, 20, 16, 40} : strip.crop;
+    const Crop crop = job.quick ? Crop{10, 20, 40, 40} : strip.crop;
     Table table{source, {"picture", "method", "samples", "rmse", "noise", "bias"}, {}};
     std::vector<Image> pictures;
     std::vector<double> errors;

@@ -1,0 +1,138 @@
+// Pictures peeled until nothing is left are the exact ones.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <sheer/sheer.h>
+
+#include "cpu/fragment_sink.h"
+#include "cpu/frame.h"
+
+namespace sheer::test {
+namespace {
+
+constexpr double kSame = 1e-5;  // times the larger of 1 and the colour
+constexpr const char* kPeeling[] = {"depth-peeling", "dual-depth-peeling",
+                                    "bucket-peeling:peels=4096"};
+
+struct Place {
+    float depth, slack;
+    std::uint32_t primitive;
+};
+
+// The pixels where floats cannot tell which of two surfaces is nearer, which are not the same one:
+// their depths at the centre differ by no more than their slacks.
+class Doubts : public FragmentSink {
+public:
+    explicit Doubts(const View& view)
+        : width_(view.width), pixels_(static_cast<std::size_t>(view.width * view.height))
+    {
+    }
+
+    void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape&,
+              const FragmentStream& stream) override
+    {
+        for_each_inside(rect, interior, stream,
+                        [&](const FragmentRun& run, std::size_t, int x, int y, float depth) {
+                            pixels_[static_cast<std::size_t>(y * width_ + x)].push_back(
+                                {depth, run.depth.slack, run.primitive});
+                        });
+    }
+
+    bool doubtful(std::size_t pixel)
+    {
+        auto& places = pixels_[pixel];
+        std::sort(places.begin(), places.end(),
+                  [](const Place& a, const Place& b) { return a.depth < b.depth; });
+        for (std::size_t i = 1; i < places.size(); ++i) {
+            const Place &near = places[i - 1], &far = places[i];
+            if (far.depth - near.depth <= near.slack + far.slack) return true;
+        }
+        return false;
+    }
+    bool any() const
+    {
+        return std::any_of(pixels_.begin(), pixels_.end(),
+                           [](const auto& places) { return places.size() > 1; });
+    }
+
+private:
+    int width_;
+    std::vector<std::vector<Place>> pixels_;
+};
+
+View small_view(int samples)
+{
+    View view;
+    view.width = view.height = 64;
+    view.samples = samples;
+    view.positions = SamplePositions::center;
+    return view;
+}
+
+Image drawn(const Scene& scene, const View& view, const std::string& method)
+{
+    Options options;
+    options.method = method;
+    return render(scene, view, options).image;
+}
+
+double difference(const std::array<float, 4>& a, const std::array<float, 4>& b)
+{
+    double most = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+        const double scale = std::max(1.0, std::abs(static_cast<double>(b[c])));
+        most = std::max(most, std::abs(static_cast<double>(a[c]) - b[c]) / scale);
+    }
+    return most;
+}
+
+TEST(PeeledPictures, AreExactWhereFloatsKnowTheOrder)
+{
+    for (const char* source : {"builtin:foliage", "builtin:motor?detail=0.2", "builtin:cloth"}) {
+        const Scene scene = load(source);
+        const View view = small_view(1);
+        Doubts doubts(view);
+        Take take{.method = choose_method("exact"), .keys = {frame_key(1, 0)}};
+        render_takes(scene, view, {}, {.takes = {&take, 1}, .sink = &doubts});
+        ASSERT_TRUE(doubts.any());
+        const Image exact = drawn(scene, view, "exact");
+        for (const char* method : kPeeling) {
+            SCOPED_TRACE(std::string(source) + ", " + method);
+            const Image peeled = drawn(scene, view, method);
+            std::size_t compared = 0;
+            for (std::size_t p = 0; p < exact.pixels.size(); ++p) {
+                if (doubts.doubtful(p)) continue;
+                ++compared;
+                EXPECT_LE(difference(peeled.pixels[p], exact.pixels[p]), kSame) << p;
+            }
+            // Else there would be little to say.
+            EXPECT_GT(compared, exact.pixels.size() / 2);
+        }
+    }
+}
+
+// Coincident to the last bit: ids decide, here and there.
+TEST(PeeledPictures, AreExactWithTies)
+{
+    for (const int samples : {1, 4}) {
+        const Scene scene = load(
+            "builtin:layers?n=12&alpha=0.2,0.7,0.3,0.5&color=1,0,0;0,1,0;0,0,1;1,1,0;0,1,1;1,0,1"
+            "&depth=1,1,2,2,2,3,3,3,3,4&order=random&seed=5&background=0.5,0.5,0.5");
+        const Image exact = drawn(scene, small_view(samples), "exact");
+        for (const char* method : kPeeling) {
+            const Image peeled = drawn(scene, small_view(samples), method);
+            for (std::size_t p = 0; p < exact.pixels.size(); ++p) {
+                ASSERT_LE(difference(peeled.pixels[p], exact.pixels[p]), kSame) << method;
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace sheer::test
