@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "cpu/frame_memory.h"
+#include "cpu/opaque_tiles.h"
 #include "cpu/stopwatch.h"
 #include "cpu/tile_passes.h"
 #include "geometry/build.h"
@@ -26,8 +27,8 @@ struct ReducedWorker {
     std::shared_ptr<void> tile;
     std::vector<float> farthest;  // of a tile's pixels
 
-    ReducedWorker(const FrameJob& job, bool draws_opaque)
-        : opaque(job.samples.count, draws_opaque && job.surfaces.any_opaque),
+    explicit ReducedWorker(const FrameJob& job)
+        : opaque(job.samples.count, false),
           stream(kStreamFragments, job.surfaces.any_colored),
           farthest(kTilePixels, kNothing)
     {
@@ -43,29 +44,21 @@ std::vector<float> farthest_opaque(const FrameJob& job, int threads)
     if (!job.surfaces.any_opaque) return {};
     const auto width = static_cast<std::size_t>(job.grid.width);
     std::vector<float> depths(width * static_cast<std::size_t>(job.grid.height), kNothing);
-    ReducedWorkers workers(static_cast<std::size_t>(threads));
-    const FragmentConsumer nobody{[](void*, const FragmentStream&) { return true; }, nullptr};
-    parallel_for(threads, static_cast<std::size_t>(job.grid.count()), [&](std::size_t tile, int t) {
-        auto& worker = workers[static_cast<std::size_t>(t)];
-        if (!worker) worker = std::make_unique<ReducedWorker>(job, true);
-        const PixelRect rect = job.grid.rect(static_cast<int>(tile));
-        const PixelRect interior = job.grid.interior(static_cast<int>(tile));
-        TileJob drawn{&job.geometry,          &job.surfaces, &job.samples,
-                      static_cast<int>(tile), rect,          rect};
-        drawn.part = TilePart::opaque;
-        job.tile_fragments(drawn, worker->scratch, worker->opaque, worker->stream, nobody);
-        if (!worker->opaque.any) return;
-        const auto samples = static_cast<std::size_t>(job.samples.count);
-        for (int y = interior.y0; y < interior.y1; ++y) {
-            for (int x = interior.x0; x < interior.x1; ++x) {
-                const auto pixel =
-                    static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
-                const float* of_pixel = worker->opaque.depth.data() + pixel * samples;
-                depths[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
-                    *std::max_element(of_pixel, of_pixel + samples);
+    for_each_opaque_tile(
+        job, threads,
+        [&](const PixelRect& rect, const PixelRect& interior, const OpaqueTile& opaque) {
+            if (!opaque.any) return;
+            const auto samples = static_cast<std::size_t>(job.samples.count);
+            for (int y = interior.y0; y < interior.y1; ++y) {
+                for (int x = interior.x0; x < interior.x1; ++x) {
+                    const auto pixel =
+                        static_cast<std::size_t>((y - rect.y0) * kTileSize + x - rect.x0);
+                    const float* of_pixel = opaque.depth.data() + pixel * samples;
+                    depths[static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x)] =
+                        *std::max_element(of_pixel, of_pixel + samples);
+                }
             }
-        }
-    });
+        });
     return depths;
 }
 
@@ -143,7 +136,7 @@ void draw_moments(const ReducedJob& job, int threads, ReducedMoments& to)
     parallel_for(threads, static_cast<std::size_t>(job.grid.count()), [&](std::size_t tile, int t) {
         auto& worker = workers[static_cast<std::size_t>(t)];
         if (!worker) {
-            worker = std::make_unique<ReducedWorker>(job.whole, false);
+            worker = std::make_unique<ReducedWorker>(job.whole);
             worker->tile = job.verbs.make(shape);
         }
         draw_tile(job, static_cast<int>(tile), *worker, to);
@@ -155,7 +148,6 @@ std::uint64_t reduced_bytes(const FrameJob& job, const Scene& scene, int threads
 {
     const std::uint64_t pixels =
         static_cast<std::uint64_t>(job.grid.width) * static_cast<std::uint64_t>(job.grid.height);
-    const auto samples = static_cast<std::uint64_t>(job.samples.count);
     std::uint64_t bytes = geometry_bytes(scene), tile_bytes = 0;
     if (job.surfaces.any_opaque) bytes += pixels * sizeof(float);
     for (const Take& take : job.takes) {
@@ -167,9 +159,7 @@ std::uint64_t reduced_bytes(const FrameJob& job, const Scene& scene, int threads
                  numbers * sizeof(double);
         tile_bytes = std::max(tile_bytes, kTilePixels * (8 + 20 * numbers));
     }
-    const std::uint64_t thread_bytes =
-        tile_bytes + kTilePixels * (samples * 6 + 1) * sizeof(float) +
-        kStreamFragments * (sizeof(FragmentRun) + 20 * sizeof(float));
+    const std::uint64_t thread_bytes = tile_bytes + opaque_thread_bytes(job);
     return bytes + static_cast<std::uint64_t>(threads) * thread_bytes;
 }
 
