@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "cpu/backdrop_pictures.h"
 #include "cpu/depth_extent.h"
 #include "cpu/draw_take.h"
 #include "cpu/fragment_sink.h"
@@ -55,7 +56,8 @@ std::unique_ptr<Worker> make_worker(const FrameJob& job)
                                job.stream_capacity,
                                traits.bounded ? ~std::size_t{0} : job.store_bytes,
                                job.filter.reach() > 0,
-                               job.reduced[i] != nullptr ? &job.reduced[i]->moments : nullptr};
+                               job.reduced[i] != nullptr ? &job.reduced[i]->moments : nullptr,
+                               job.backdrop != nullptr ? &job.backdrop->picture : nullptr};
         worker->stores.push_back({&job.verbs[i], job.verbs[i].make(shape), traits.divides,
                                   std::vector<Stopwatch>(static_cast<std::size_t>(traits.passes))});
     }
@@ -234,6 +236,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     const auto reduced =
         draw_reduced_pictures(job, scene, projection, targets, geometry_threads, options);
     for (const auto& picture : reduced) job.reduced.push_back(picture ? &*picture : nullptr);
+    const auto backdrop = draw_backdrop_picture(job, projection, geometry_threads, options);
+    if (backdrop) job.backdrop = &*backdrop;
     job.stream_capacity = stream_capacity(job.groups);
     const MemoryPlan memory =
         plan_frame_memory(job, options, request.reserved_memory, geometry_threads);

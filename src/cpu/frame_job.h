@@ -13,6 +13,7 @@
 
 namespace sheer {
 
+struct DrawnBackdrop;
 struct ReducedPicture;
 
 // What all tiles read.
@@ -33,6 +34,7 @@ struct FrameJob {
     FragmentSink* sink;       // or null
     // Of each take, or null.
     std::vector<const ReducedPicture*> reduced = {};
+    const DrawnBackdrop* backdrop = nullptr;  // or none
 };
 
 // What one thread works with, tile after tile.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cpu/backdrop_pictures.h"
 #include "cpu/reduced_pictures.h"
 
 namespace sheer {
@@ -67,6 +68,8 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
     if (job.reduced[number] != nullptr) {
         stats.ms_passes.push_back({"reduced moments", job.reduced[number]->ms});
     }
+    const bool reads_backdrop = method.traits().reads_backdrop;
+    if (reads_backdrop) stats.ms_passes.push_back({"backdrop", job.backdrop->ms});
     sum_up(workers, job, number, stats);
     // Of several takes each would have needed the geometry and its own stages.
     if (job.takes.size() > 1) {
@@ -74,6 +77,7 @@ Stats make_stats(const Workers& workers, const FrameJob& job, std::size_t number
             stats.ms_geometry + stats.ms_raster_shade + stats.ms_store + stats.ms_resolve;
         for (const PassTime& shared : common_passes) stats.ms_total += shared.ms;
         if (job.reduced[number] != nullptr) stats.ms_total += job.reduced[number]->ms;
+        if (reads_backdrop) stats.ms_total += job.backdrop->ms;
     }
     const double pixels = static_cast<double>(stats.width) * stats.height;
     stats.bytes_per_pixel = method.traits().bytes_per_pixel(

@@ -112,7 +112,7 @@ std::string MethodTraits::bytes_formula() const
     add(bytes_per_fragment, " N");
     add(bytes_per_fragment_and_sample, " S N");
     add(bytes_besides, "");
-    if (bytes_of_reduced > 0) text += " + " + fixed(bytes_of_reduced, 4);
+    if (bytes_of_pictures > 0) text += " + " + fixed(bytes_of_pictures, 4);
     return text.empty() ? "0" : text;
 }
 

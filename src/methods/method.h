@@ -92,6 +92,7 @@ struct EyeSpace {
 };
 
 struct ReducedMoments;
+class BackdropPicture;
 
 struct StoreShape {
     const SampleSet* samples;  // outlives the store
@@ -103,6 +104,8 @@ struct StoreShape {
     bool filter_mixes_pixels = true;
     // Of a method with MethodTraits::reduction above 1: of the whole picture, or null: of nothing.
     const ReducedMoments* reduced = nullptr;
+    // Of a method with MethodTraits::reads_backdrop, or null: it is as it is.
+    const BackdropPicture* backdrop = nullptr;
 };
 
 // Where a frame is among those whose mean is one picture.
@@ -240,7 +243,8 @@ struct MethodTraits {
     int bytes_per_sample = 0, bytes_per_fragment = 0, bytes_besides = 0;
     int bytes_per_fragment_and_sample = 0;  // at most
     int bytes_of_tables = 0;                // of all stores together, at most
-    double bytes_of_reduced = 0;            // of a reduced picture, a pixel of the whole
+    // Of pictures that are made before the tiles, reduced ones or the backdrop's, a pixel.
+    double bytes_of_pictures = 0;
     int bytes_per_streamed = 0;  // what the store notes of each fragment of a stream, besides
     // What a GPU's textures for the same take a pixel of one sample, in the paper's formats; 0: the
     // paper does not say.
@@ -260,12 +264,13 @@ struct MethodTraits {
     // Pixels across that are one of a reduced picture, which is drawn first, in so many passes over
     // its fragments, and has so many numbers a pixel.
     int reduction = 1, reduced_passes = 0, reduced_numbers = 0;
+    bool reads_backdrop = false;  // wants StoreShape::backdrop
 
     double bytes_per_pixel(int samples, double fragments_per_pixel) const
     {
         return bytes_per_sample * samples + bytes_per_fragment * fragments_per_pixel +
                bytes_per_fragment_and_sample * fragments_per_pixel * samples + bytes_besides +
-               bytes_of_reduced;
+               bytes_of_pictures;
     }
     std::string bytes_formula() const;  // in S, the samples, and N, the pixel's fragments
 };

@@ -1,8 +1,11 @@
 // Phenomenological transparency: shaders/sheer/phenomenological.glsl at every sample.
 //
 // A fragment's weight is that of the distance at its pixel's centre, as on a GPU. 28 bytes a
-// sample.
+// sample. What becomes of the backdrop is phenomenological_backdrop.cpp's.
+#include <optional>
+
 #include "methods/method.h"
+#include "methods/phenomenological_backdrop.h"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "methods/phenomenological.cpp"
@@ -62,14 +65,35 @@ struct PhenomenologicalTile : SampleStore<S, PhenomenologicalMethod<S>> {
 
     EyeSpace eye;
     AlignedArray<float> weights;  // of the stream's fragments
+    std::optional<PhenomenologicalBackdrop> changes;
 
     explicit PhenomenologicalTile(const StoreShape& shape)
         : Base(shape), eye(shape.eye), weights(shape.stream_capacity + FragmentStream::kSlack)
     {
+        if (shape.backdrop != nullptr && shape.method->traits().reads_backdrop) {
+            changes.emplace(shape);
+        }
+    }
+
+    void clear(const TilePlace& place)
+    {
+        Base::clear(place);
+        if (changes) changes->clear(place);
+    }
+    void merge(const PhenomenologicalTile& other)
+    {
+        Base::merge(other);
+        if (changes) changes->merge(*other.changes);
+    }
+    void resolve(SampleColors& backdrop) const
+    {
+        if (changes) changes->replace(backdrop);
+        Base::resolve(backdrop);
     }
 
     void insert(const FragmentStream& f, int)
     {
+        if (changes) changes->insert(f);
         weigh_fragments(f, eye, weights, [&](auto, auto z, auto a) HWY_ATTR {
             return PhenomenologicalText<WeightBlock>::phenomenological_weight(buffer_depth(eye, z),
                                                                               a);

@@ -11,9 +11,6 @@ StoreVerbs blend_verbs(TargetSet targets, const ChosenMethod& method, int sample
 StoreVerbs exact_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs exact_colored_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs weighted_average_verbs(TargetSet targets, const ChosenMethod& method, int samples);
-StoreVerbs phenomenological_verbs(TargetSet targets, const ChosenMethod& method, int samples);
-StoreVerbs phenomenological_colored_verbs(TargetSet targets, const ChosenMethod& method,
-                                          int samples);
 FragmentWants sorted_blend_wants(const ChosenMethod& method);
 MethodRow stochastic_row();
 MethodRow stratified_stochastic_row();
@@ -29,6 +26,7 @@ MethodRow z3_row();
 MethodRow adaptive_row();
 MethodRow deep_shadow_map_row();
 MethodRow wboit_row();
+MethodRow phenomenological_row();
 MethodRow fourier_row();
 MethodRow moment_row();
 MethodRow mboit_row();
@@ -107,19 +105,7 @@ std::span<const MethodRow> method_table()
              {.bytes_per_sample = 20, .any_order = kRounding, .merge = kRounding, .exact_up_to = 1},
          .verbs = weighted_average_verbs},
         wboit_row(),
-        {.id = "phenomenological",
-         .title = "Weighted blending that knows coloured glass: each channel has its transmittance",
-         .citation = "McGuire and Mara. Phenomenological Transparency. TVCG 23(5), 2017",
-         .continuum = {"always", "sums, no layer", "a sum, weighted by distance",
-                       "the weighted mean of all"},
-         .parameters = {},
-         .traits = {.bytes_per_sample = 28,
-                    .bytes_per_streamed = 4,
-                    .any_order = kRounding,
-                    .merge = kRounding,
-                    .exact_up_to = 1},
-         .verbs = phenomenological_verbs,
-         .colored_verbs = phenomenological_colored_verbs},
+        phenomenological_row(),
         fourier_row(),
         moment_row(),
         mboit_row(),

@@ -65,7 +65,7 @@ MethodTraits reduced_traits(const MomentSettings& settings)
     traits.reduction = settings.reduction;
     traits.reduced_passes = settings.passes;
     traits.reduced_numbers = numbers;
-    traits.bytes_of_reduced = 8.0 * numbers / (settings.reduction * settings.reduction);
+    traits.bytes_of_pictures = 8.0 * numbers / (settings.reduction * settings.reduction);
     return traits;
 }
 

@@ -39,4 +39,21 @@ double phenomenological_diffusion(double opacity, double collimation, double z, 
     return spread * spread;
 }
 
+Displacement phenomenological_refraction(const double (&ray)[3], const double (&normal)[3],
+                                         double eta)
+{
+    const double length = std::hypot(ray[0], ray[1], ray[2]);
+    double across[3];  // the ray's part along the surface
+    const double inwards = -(ray[0] * normal[0] + ray[1] * normal[1] + ray[2] * normal[2]) / length;
+    for (int c = 0; c < 3; ++c) across[c] = ray[c] / length + inwards * normal[c];
+    const double sine = std::hypot(across[0], across[1], across[2]);
+    if (sine == 0) return {0, 0};
+    const double angle = std::asin(sine / eta);
+    double turned[3];
+    for (int c = 0; c < 3; ++c) {
+        turned[c] = std::sin(angle) / sine * across[c] - std::cos(angle) * normal[c];
+    }
+    return {turned[0] / turned[2] - ray[0] / ray[2], turned[1] / turned[2] - ray[1] / ray[2]};
+}
+
 }  // namespace sheer::reference

@@ -25,4 +25,13 @@ Rgba phenomenological(std::span<const Fragment> fragments, BackdropPart part, Rg
 // does not diffuse at all. 0 where the backdrop touches.
 double phenomenological_diffusion(double opacity, double collimation, double z, double behind);
 
+// Where a ray that enters a surface of index eta goes on, less where it would have gone, a metre
+// farther along the axis of view (x, y); by Snell's law of angles. The ray is (x, y, 1); the normal
+// is of length 1 and turned towards the eye.
+struct Displacement {
+    double x, y;
+};
+Displacement phenomenological_refraction(const double (&ray)[3], const double (&normal)[3],
+                                         double eta);
+
 }  // namespace sheer::reference
