@@ -10,7 +10,8 @@
 
 #include <hwy/foreach_target.h>
 
-#include "methods/pixel_functions-inl.h"
+#include "methods/fragment_units-inl.h"
+#include "methods/translucent-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {

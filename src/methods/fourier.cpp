@@ -7,7 +7,7 @@
 
 #include <hwy/foreach_target.h>
 
-#include "methods/transmittance_pixels-inl.h"
+#include "methods/transmittance_stores-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -22,14 +22,12 @@ struct FourierText {
 template <int Terms>
 class FourierFunction {
 public:
-    static constexpr std::size_t kSums = 2 * Terms + 1, kState = kSums;
+    static constexpr std::size_t kSums = 2 * Terms + 1, kKept = kSums;
 
     explicit FourierFunction(const ChosenMethod& method)
         : damped_(method.value("window") == "lanczos")
     {
     }
-
-    static int passes() { return 1; }
 
     template <class W>
     static HWY_INLINE void addends(typename W::real place, typename W::real depth,
@@ -45,7 +43,7 @@ public:
     }
 
     template <class W>
-    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* state,
+    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* to,
                             std::size_t stride) const
     {
         using Text = FourierText<Lanes<W::kCount>>;
@@ -56,22 +54,23 @@ public:
             series.sine[k] = narrowed<W>(sums[2 * k]);
         }
         series = Text::fourier_series(series, Terms, damped_);
-        series.depth.store(state);
+        series.depth.store(to);
         for (std::size_t k = 1; k <= Terms; ++k) {
-            series.cosine[k].store(state + (2 * k - 1) * stride);
-            series.sine[k].store(state + 2 * k * stride);
+            series.cosine[k].store(to + (2 * k - 1) * stride);
+            series.sine[k].store(to + 2 * k * stride);
         }
     }
 
-    template <class L, class State>
-    HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
+    template <class L>
+    HWY_INLINE typename L::real transmittance(const KeptLanes<L>& kept,
+                                              typename L::real place) const
     {
         using Text = FourierText<L>;
         typename Text::FourierSeries series;
-        series.depth = state[0];
+        series.depth = kept[0];
         for (std::size_t k = 1; k <= Terms; ++k) {
-            series.cosine[k] = state[2 * k - 1];
-            series.sine[k] = state[2 * k];
+            series.cosine[k] = kept[2 * k - 1];
+            series.sine[k] = kept[2 * k];
         }
         return Text::fourier_transmittance(series, place, Terms);
     }
@@ -80,10 +79,10 @@ private:
     bool damped_;
 };
 
-StoreVerbs fourier_store(int terms, int samples, bool of_pixels)
+StoreVerbs fourier_store(int terms)
 {
-    if (terms == 3) return StoreOf<FourierFunction<3>>::make(samples, of_pixels);
-    return StoreOf<FourierFunction<7>>::make(samples, of_pixels);
+    if (terms == 3) return verbs_of<StoreOf<FourierFunction<3>>>();
+    return verbs_of<StoreOf<FourierFunction<7>>>();
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -94,10 +93,9 @@ namespace sheer {
 
 HWY_EXPORT(fourier_store);
 
-StoreVerbs fourier_verbs(TargetSet targets, const ChosenMethod& method, int samples)
+StoreVerbs fourier_verbs(TargetSet targets, const ChosenMethod& method, int)
 {
-    return SHEER_DISPATCH(fourier_store, targets)(method.number("terms"), samples,
-                                                  method.value("store") == "pixel");
+    return SHEER_DISPATCH(fourier_store, targets)(method.number("terms"));
 }
 
 }  // namespace sheer

@@ -8,7 +8,7 @@
 #endif
 
 #include "methods/mboit_settings.h"
-#include "methods/transmittance_pixels-inl.h"
+#include "methods/depth_function-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -35,23 +35,23 @@ struct SecularText {
 
 // Points, strengths and shares, Half each.
 template <int Half, class W>
-HWY_INLINE void save_rule(const typename GaussText<W>::GaussRule& rule, float* state,
+HWY_INLINE void save_rule(const typename GaussText<W>::GaussRule& rule, float* to,
                           std::size_t stride)
 {
     for (std::size_t k = 0; k < Half; ++k) {
-        rule.point[k].store(state + k * stride);
-        rule.strength[k].store(state + (Half + k) * stride);
-        rule.share[k].store(state + (2 * Half + k) * stride);
+        rule.point[k].store(to + k * stride);
+        rule.strength[k].store(to + (Half + k) * stride);
+        rule.share[k].store(to + (2 * Half + k) * stride);
     }
 }
-template <int Half, class L, class State>
-HWY_INLINE typename SecularText<L>::SecularForm load_form(const State& state)
+template <int Half, class L>
+HWY_INLINE typename SecularText<L>::SecularForm load_form(const KeptLanes<L>& kept)
 {
     typename SecularText<L>::SecularForm form;
     for (std::size_t k = 0; k < Half; ++k) {
-        form.point[k] = state[k];
-        form.strength[k] = state[Half + k];
-        form.share[k] = state[2 * Half + k];
+        form.point[k] = kept[k];
+        form.strength[k] = kept[Half + k];
+        form.share[k] = kept[2 * Half + k];
     }
     return form;
 }

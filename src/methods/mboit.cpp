@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 
 #include "methods/gauss_form-inl.h"
+#include "methods/transmittance_stores-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -17,11 +18,9 @@ namespace sheer::HWY_NAMESPACE {
 template <int Half>
 class PowerFunction {
 public:
-    static constexpr std::size_t kSums = 2 * Half + 1, kState = 3 * Half + 1;
+    static constexpr std::size_t kSums = 2 * Half + 1, kKept = 3 * Half + 1;
 
     explicit PowerFunction(const ChosenMethod& method) : settings_(mboit_settings(method)) {}
-
-    static int passes() { return 1; }
 
     template <class W>
     static HWY_INLINE void addends(typename W::real place, typename W::real depth,
@@ -32,7 +31,7 @@ public:
     }
 
     template <class W>
-    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* state,
+    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* to,
                             std::size_t stride) const
     {
         using Real = typename W::real;
@@ -46,18 +45,19 @@ public:
         for (std::size_t k = 0; k < 5; ++k) bias.even[k] = Real(settings_.even[k]);
         const auto r = Text::recurrence_of(Text::biased_moments(m, bias, Half), Half,
                                            Real(kLeast * settings_.bias));
-        save_rule<Half, W>(Text::gauss_rule(r, Half), state, stride);
-        sums[0].store(state + 3 * Half * stride);
+        save_rule<Half, W>(Text::gauss_rule(r, Half), to, stride);
+        sums[0].store(to + 3 * Half * stride);
     }
 
-    template <class L, class State>
-    HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
+    template <class L>
+    HWY_INLINE typename L::real transmittance(const KeptLanes<L>& kept,
+                                              typename L::real place) const
     {
         using Text = SecularText<L>;
         using Real = typename L::real;
-        const Real part = Text::secular_fraction(load_form<Half, L>(state), Half, place,
+        const Real part = Text::secular_fraction(load_form<Half, L>(kept), Half, place,
                                                  Real(settings_.overestimation));
-        return Text::exp_of(Real(0.0f) - state[3 * Half] * part);
+        return Text::exp_of(Real(0.0f) - kept[3 * Half] * part);
     }
 
 private:
@@ -93,12 +93,12 @@ private:
     MboitSettings settings_;
 };
 
-StoreVerbs mboit_power_store(int half, int samples, bool of_pixels)
+StoreVerbs mboit_power_store(int half)
 {
     switch (half) {
-        case 2: return StoreOf<PowerFunction<2>>::make(samples, of_pixels);
-        case 3: return StoreOf<PowerFunction<3>>::make(samples, of_pixels);
-        default: return StoreOf<PowerFunction<4>>::make(samples, of_pixels);
+        case 2: return verbs_of<StoreOf<PowerFunction<2>>>();
+        case 3: return verbs_of<StoreOf<PowerFunction<3>>>();
+        default: return verbs_of<StoreOf<PowerFunction<4>>>();
     }
 }
 
@@ -110,16 +110,13 @@ namespace sheer {
 
 HWY_EXPORT(mboit_power_store);
 
-StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half, int samples, bool of_pixels);
+StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half);
 
-StoreVerbs mboit_verbs(TargetSet targets, const ChosenMethod& method, int samples)
+StoreVerbs mboit_verbs(TargetSet targets, const ChosenMethod& method, int)
 {
     const MboitSettings settings = mboit_settings(method);
-    const bool of_pixels = method.value("store") == "pixel";
-    if (settings.trigonometric) {
-        return mboit_trigonometric_verbs(targets, settings.half, samples, of_pixels);
-    }
-    return SHEER_DISPATCH(mboit_power_store, targets)(settings.half, samples, of_pixels);
+    if (settings.trigonometric) return mboit_trigonometric_verbs(targets, settings.half);
+    return SHEER_DISPATCH(mboit_power_store, targets)(settings.half);
 }
 
 }  // namespace sheer

@@ -9,6 +9,7 @@
 #include <hwy/foreach_target.h>
 
 #include "methods/gauss_form-inl.h"
+#include "methods/transmittance_stores-inl.h"
 #include "methods/wrapping_zone.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,13 +19,11 @@ namespace sheer::HWY_NAMESPACE {
 template <int M>
 class TrigonometricFunction {
 public:
-    static constexpr std::size_t kSums = 2 * M + 1, kState = 4 * M + 2;
+    static constexpr std::size_t kSums = 2 * M + 1, kKept = 4 * M + 2;
 
     explicit TrigonometricFunction(const ChosenMethod& method) : settings_(mboit_settings(method))
     {
     }
-
-    static int passes() { return 1; }
 
     template <class W>
     HWY_INLINE void addends(typename W::real place, typename W::real depth,
@@ -41,7 +40,7 @@ public:
     }
 
     template <class W>
-    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* state,
+    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* to,
                             std::size_t stride) const
     {
         using Real = typename W::real;
@@ -59,36 +58,37 @@ public:
         const auto r = Text::recurrence_of(line.power, M, Real(kLeast * settings_.bias));
         const auto rule = Text::gauss_rule(r, M);
         for (std::size_t k = 0; k < M; ++k) {
-            rule.point[k].store(state + k * stride);
-            rule.strength[k].store(state + (M + k) * stride);
-            r.a[k].store(state + (2 * M + k) * stride);
-            W::sqrt(r.b[k + 1]).store(state + (3 * M + k) * stride);
+            rule.point[k].store(to + k * stride);
+            rule.strength[k].store(to + (M + k) * stride);
+            r.a[k].store(to + (2 * M + k) * stride);
+            W::sqrt(r.b[k + 1]).store(to + (3 * M + k) * stride);
         }
-        line.mass.store(state + 4 * M * stride);
-        sums[0].store(state + (4 * M + 1) * stride);
+        line.mass.store(to + 4 * M * stride);
+        sums[0].store(to + (4 * M + 1) * stride);
     }
 
-    template <class L, class State>
-    HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
+    template <class L>
+    HWY_INLINE typename L::real transmittance(const KeptLanes<L>& kept,
+                                              typename L::real place) const
     {
         using Text = SecularText<L>;
         using Real = typename L::real;
         typename Text::CircleForm form;
         for (std::size_t k = 0; k < M; ++k) {
-            form.line.point[k] = state[k];
-            form.line.strength[k] = state[M + k];
+            form.line.point[k] = kept[k];
+            form.line.strength[k] = kept[M + k];
             form.line.share[k] = Real(0.0f);
-            form.a[k] = state[2 * M + k];
-            form.root[k + 1] = state[3 * M + k];
+            form.a[k] = kept[2 * M + k];
+            form.root[k + 1] = kept[3 * M + k];
         }
-        form.mass = state[4 * M];
+        form.mass = kept[4 * M];
         const auto real = [](double x) HWY_ATTR { return Real(static_cast<float>(x)); };
         const typename Text::WrappingZone zone{real(zone_.half_depth), real(zone_.rest),
                                                real(zone_.edge),       real(zone_.cosine),
                                                real(zone_.sine),       real(zone_.begins)};
         const Real part =
             Text::circle_fraction(form, M, zone, place, Real(settings_.overestimation));
-        return Text::exp_of(Real(0.0f) - state[4 * M + 1] * part);
+        return Text::exp_of(Real(0.0f) - kept[4 * M + 1] * part);
     }
 
 private:
@@ -110,12 +110,12 @@ private:
     WrappingZone zone_ = wrapping_zone();
 };
 
-StoreVerbs mboit_trigonometric_store(int half, int samples, bool of_pixels)
+StoreVerbs mboit_trigonometric_store(int half)
 {
     switch (half) {
-        case 2: return StoreOf<TrigonometricFunction<2>>::make(samples, of_pixels);
-        case 3: return StoreOf<TrigonometricFunction<3>>::make(samples, of_pixels);
-        default: return StoreOf<TrigonometricFunction<4>>::make(samples, of_pixels);
+        case 2: return verbs_of<StoreOf<TrigonometricFunction<2>>>();
+        case 3: return verbs_of<StoreOf<TrigonometricFunction<3>>>();
+        default: return verbs_of<StoreOf<TrigonometricFunction<4>>>();
     }
 }
 
@@ -127,9 +127,9 @@ namespace sheer {
 
 HWY_EXPORT(mboit_trigonometric_store);
 
-StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half, int samples, bool of_pixels)
+StoreVerbs mboit_trigonometric_verbs(TargetSet targets, int half)
 {
-    return SHEER_DISPATCH(mboit_trigonometric_store, targets)(half, samples, of_pixels);
+    return SHEER_DISPATCH(mboit_trigonometric_store, targets)(half);
 }
 
 }  // namespace sheer

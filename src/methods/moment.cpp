@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "methods/moment_settings.h"
-#include "methods/reduced_pixels-inl.h"
+#include "methods/transmittance_stores-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -28,11 +28,11 @@ struct MomentText {
 #include "sheer/moment_formats.glsl"
 };
 
-// With `Again` two curves, of which the second is of what the first lets be seen.
-template <bool Again>
+// Where there are two passes over the moments there are two curves, of which the second is of what
+// the first lets be seen.
 class MomentFunction {
 public:
-    static constexpr std::size_t kSums = 5, kCurve = 5, kState = Again ? 2 * kCurve : kCurve;
+    static constexpr std::size_t kSums = 5, kKept = 5;
 
     explicit MomentFunction(const ChosenMethod& method) : settings_(moment_settings(method)) {}
 
@@ -52,22 +52,17 @@ public:
 
     // The second of two curves is one of nothing until there is more to say.
     template <class W>
-    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* state,
-                            std::size_t stride) const
+    HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* to, std::size_t stride,
+                            bool is_first) const
     {
-        prepare_curve<W>(sums, state, stride);
-        if constexpr (Again) {
-            const typename W::real nothing[kSums] = {typename W::real(0.0), typename W::real(0.0),
-                                                     typename W::real(0.0), typename W::real(0.0),
-                                                     typename W::real(0.0)};
-            prepare_curve<W>(nothing, state + kCurve * stride, stride);
+        for (int curve = is_first ? 0 : 1; curve < passes(); ++curve) {
+            typename W::real some[kSums];
+            const bool nothing = is_first && curve > 0;
+            for (std::size_t k = 0; k < kSums; ++k) {
+                some[k] = nothing ? typename W::real(0.0) : sums[k];
+            }
+            prepare_curve<W>(some, to + static_cast<std::size_t>(curve) * kKept * stride, stride);
         }
-    }
-    template <class W>
-    HWY_INLINE void prepare_again(const typename W::real (&sums)[kSums], float* state,
-                                  std::size_t stride) const requires(Again)
-    {
-        prepare_curve<W>(sums, state + kCurve * stride, stride);
     }
 
     // Of a reduced picture, where 16 bits are kept of each texel. What is mixed has its weights: a
@@ -85,17 +80,21 @@ public:
         for (std::size_t k = 1; k < kSums; ++k) sums[k] = sums[0] * m[k];
     }
 
-    template <class L, class State>
-    HWY_INLINE typename L::real transmittance(const State& state, typename L::real place) const
+    template <class L>
+    HWY_INLINE typename L::real transmittance(const KeptLanes<L>& kept,
+                                              typename L::real place) const
     {
-        auto through = transmittance_of<L>(state, 0, place);
-        if constexpr (Again) through = through * transmittance_of<L>(state, kCurve, place);
+        typename L::real through(1.0f);
+        for (int curve = 0; curve < passes(); ++curve) {
+            const auto first = static_cast<std::size_t>(curve) * kKept;
+            through = through * transmittance_of<L>(kept, first, place);
+        }
         return through;
     }
 
 private:
     template <class W>
-    HWY_INLINE void prepare_curve(const typename W::real (&sums)[kSums], float* state,
+    HWY_INLINE void prepare_curve(const typename W::real (&sums)[kSums], float* to,
                                   std::size_t stride) const
     {
         using Real = typename W::real;
@@ -118,21 +117,20 @@ private:
         if (format == MomentFormat::nlqm) {
             curve = Text::curve_of_quantised(Text::quantised_moments(curve), curve.depth);
         }
-        curve.mean.store(state);
-        curve.inverse_deviation.store(state + stride);
-        curve.skewness.store(state + 2 * stride);
-        curve.sharpness.store(state + 3 * stride);
-        curve.depth.store(state + 4 * stride);
+        curve.mean.store(to);
+        curve.inverse_deviation.store(to + stride);
+        curve.skewness.store(to + 2 * stride);
+        curve.sharpness.store(to + 3 * stride);
+        curve.depth.store(to + 4 * stride);
     }
 
-    template <class L, class State>
-    HWY_INLINE typename L::real transmittance_of(const State& state, std::size_t curve_at,
+    template <class L>
+    HWY_INLINE typename L::real transmittance_of(const KeptLanes<L>& kept, std::size_t first,
                                                  typename L::real place) const
     {
         using Text = MomentText<L>;
-        const typename Text::MomentCurve curve{state[curve_at], state[curve_at + 1],
-                                               state[curve_at + 2], state[curve_at + 3],
-                                               state[curve_at + 4]};
+        const typename Text::MomentCurve curve{kept[first], kept[first + 1], kept[first + 2],
+                                               kept[first + 3], kept[first + 4]};
         const auto overestimation =
             settings_.adapts
                 ? Text::moment_adaptive(curve, typename L::real(static_cast<float>(settings_.bias)))
@@ -158,26 +156,14 @@ private:
     MomentSettings settings_;
 };
 
-template <class Function>
-struct ReducedStores {
-    template <int S>
-    using Pixels = ReducedPixels<S, Function>;
-};
-
-StoreVerbs moment_store(int samples, bool of_pixels, bool reduced, bool again)
+StoreVerbs moment_store()
 {
-    if (reduced) {
-        return again ? verbs_for_samples<ReducedStores<MomentFunction<true>>::Pixels>(samples)
-                     : verbs_for_samples<ReducedStores<MomentFunction<false>>::Pixels>(samples);
-    }
-    return again ? StoreOf<MomentFunction<true>>::make(samples, of_pixels)
-                 : StoreOf<MomentFunction<false>>::make(samples, of_pixels);
+    return verbs_of<StoreOf<MomentFunction>>();
 }
 
-ReducedVerbs reduced_moment_store(bool again)
+ReducedVerbs reduced_moment_store()
 {
-    return again ? reduced_verbs_of<MomentFunction<true>>()
-                 : reduced_verbs_of<MomentFunction<false>>();
+    return reduced_verbs_of<MomentFunction>();
 }
 
 }  // namespace sheer::HWY_NAMESPACE
@@ -189,16 +175,17 @@ namespace sheer {
 HWY_EXPORT(moment_store);
 HWY_EXPORT(reduced_moment_store);
 
-StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int samples)
+StoreVerbs moment_verbs(TargetSet targets, const ChosenMethod& method, int)
 {
-    const MomentSettings settings = moment_settings(method);
-    return SHEER_DISPATCH(moment_store, targets)(samples, method.value("store") == "pixel",
-                                                 settings.reduction > 1, settings.passes == 2);
+    StoreVerbs verbs = SHEER_DISPATCH(moment_store, targets)();
+    // The functions are the reduced picture's.
+    if (moment_settings(method).reduction > 1) verbs.transmittance = nullptr;
+    return verbs;
 }
 
-ReducedVerbs reduced_moment_verbs(TargetSet targets, const ChosenMethod& method)
+ReducedVerbs reduced_moment_verbs(TargetSet targets, const ChosenMethod&)
 {
-    return SHEER_DISPATCH(reduced_moment_store, targets)(moment_settings(method).passes == 2);
+    return SHEER_DISPATCH(reduced_moment_store, targets)();
 }
 
 }  // namespace sheer

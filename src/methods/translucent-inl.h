@@ -10,6 +10,7 @@
 
 #include <algorithm>
 
+#include "methods/depth_function.h"
 #include "methods/depth_range.h"
 #include "methods/exact_sums-inl.h"
 #include "methods/nearest_samples-inl.h"
@@ -26,17 +27,6 @@ struct TransmittanceText {
 #include "sheer/exponential.glsl"
 #include "sheer/transmittance.glsl"
 };
-
-// Sums are exact (exact_sums-inl.h), so that no order shows: those of the function in 2^-38 of an
-// optical depth, those of colours in 2^-48 of a power of two above the tile's brightest.
-inline constexpr int kDepthBits = 38, kColorBits = 48;
-
-// Where the depths are too small for the grid of their sums there is nothing to divide.
-template <class W>
-HWY_INLINE typename W::real depth_divisor(typename W::real depth)
-{
-    return W::max(depth, typename W::real(0x1p-38));
-}
 
 // Where a run's fragments are between near and far, at their pixels' centres. There is room for
 // FragmentStream::kSlack more.

@@ -8,7 +8,7 @@
 #include <hwy/foreach_target.h>
 
 #include "lanes/lone.h"
-#include "methods/transmittance_pixels-inl.h"
+#include "methods/transmittance_stores-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -25,11 +25,9 @@ template <int Rank>
 class WaveletFunction {
 public:
     static constexpr std::size_t kCells = 2 << Rank;
-    static constexpr std::size_t kSums = kCells + 1, kTouched = Rank + 3, kState = kCells;
+    static constexpr std::size_t kSums = kCells + 1, kTouched = Rank + 3, kKept = kCells;
 
     explicit WaveletFunction(const ChosenMethod&) {}
-
-    static int passes() { return 1; }
 
     static void addends_of_one(float place, float depth, double (&addends)[kTouched],
                                std::uint32_t (&sums)[kTouched])
@@ -53,7 +51,7 @@ public:
     }
 
     template <class W>
-    static HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* state,
+    static HWY_INLINE void prepare(const typename W::real (&sums)[kSums], float* to,
                                    std::size_t stride)
     {
         using Real = typename W::real;
@@ -64,12 +62,13 @@ public:
                 const Real step = Real(kRoots[power]) * sums[(1u << power) + (cell >> up)];
                 mean = (cell >> (up - 1) & 1) == 0 ? mean - step : mean + step;
             }
-            mean.store(state + cell * stride);
+            mean.store(to + cell * stride);
         }
     }
 
-    template <class L, class State>
-    static HWY_INLINE typename L::real transmittance(const State& state, typename L::real place)
+    template <class L>
+    static HWY_INLINE typename L::real transmittance(const KeptLanes<L>& kept,
+                                                     typename L::real place)
     {
         using Text = WaveletText<L>;
         using Real = typename L::real;
@@ -79,9 +78,9 @@ public:
         const Whole cell = Text::wavelet_cell(d, cells);
         const auto first = cell == Whole(0u);
         const Whole last = cell - L::select(first, Whole(0u), Whole(1u));
-        const Real before = L::select(first, Real(0.0f), state.at(last));
+        const Real before = L::select(first, Real(0.0f), kept.at(last));
         // At the far end there is no cell more, and all has been before.
-        const Real here = state.at(cell);
+        const Real here = kept.at(cell);
         return Text::wavelet_transmittance(d, cell, cells,
                                            L::select(place >= Real(1.0f), here, before), here);
     }
@@ -91,12 +90,12 @@ private:
     static constexpr double kRoots[5] = {1, 0x1.6a09e667f3bcdp+0, 2, 0x1.6a09e667f3bcdp+1, 4};
 };
 
-StoreVerbs wavelet_store(int rank, int samples, bool of_pixels)
+StoreVerbs wavelet_store(int rank)
 {
     switch (rank) {
-        case 2: return StoreOf<WaveletFunction<2>>::make(samples, of_pixels);
-        case 3: return StoreOf<WaveletFunction<3>>::make(samples, of_pixels);
-        default: return StoreOf<WaveletFunction<4>>::make(samples, of_pixels);
+        case 2: return verbs_of<StoreOf<WaveletFunction<2>>>();
+        case 3: return verbs_of<StoreOf<WaveletFunction<3>>>();
+        default: return verbs_of<StoreOf<WaveletFunction<4>>>();
     }
 }
 
@@ -108,10 +107,9 @@ namespace sheer {
 
 HWY_EXPORT(wavelet_store);
 
-StoreVerbs wavelet_verbs(TargetSet targets, const ChosenMethod& method, int samples)
+StoreVerbs wavelet_verbs(TargetSet targets, const ChosenMethod& method, int)
 {
-    return SHEER_DISPATCH(wavelet_store, targets)(method.number("rank"), samples,
-                                                  method.value("store") == "pixel");
+    return SHEER_DISPATCH(wavelet_store, targets)(method.number("rank"));
 }
 
 }  // namespace sheer
