@@ -28,6 +28,7 @@ class TransmittanceSamples final : public TransmittanceStore {
     using real = typename L::real;
     // Samples of a pixel that are prepared together, and pixels.
     static constexpr std::size_t kRun = S < 8 ? S : 8, kRuns = kPrepared / kRun;
+    static constexpr std::size_t kVectors = S / W::kCount;
     static constexpr std::size_t kValues = 256;  // samples of fragments at a time
     static constexpr std::size_t kAround = 16;   // room for a vector
 
@@ -56,15 +57,9 @@ public:
         finish_passes(pass);
         if (pass == 0) return fragments_.look(f);
         fragments_.see(f);
-        with_sample_count<S>(set_.count, [&](auto samples) HWY_ATTR {
-            if (pass == 1) {
-                add_depths<samples>(f);
-            } else if (pass > moment_passes_) {
-                add_colors<samples>(f);
-            } else {
-                add_seen_depths<samples>(f);
-            }
-        });
+        if (pass > moment_passes_) return add_colors(f);
+        if (pass == 1) return add_depths(f);
+        add_seen_depths(f);
     }
 
     void merge(const TransmittanceStore& other) override
@@ -135,6 +130,10 @@ private:
     struct Run {
         std::size_t pixel, s;
     };
+    struct Runs {
+        Run run[kRuns];
+        std::size_t filled = 0;
+    };
     HWY_NOINLINE void finish_passes(int pass)
     {
         for (; pass_ < pass; ++pass_) {
@@ -143,40 +142,45 @@ private:
     }
     void finish_pass()
     {
-        Run runs[kRuns];
-        std::size_t filled = 0;
+        Runs runs;
         for_each_touched(kRun, [&](std::size_t pixel, std::size_t s) {
-            runs[filled++] = {pixel, s};
-            if (filled == kRuns) filled = finish_runs(runs, filled);
+            runs.run[runs.filled++] = {pixel, s};
+            if (runs.filled == kRuns) finish_runs(runs);
         });
-        if (filled > 0) finish_runs(runs, filled);
+        if (runs.filled > 0) finish_runs(runs);
     }
-    // Makes of the sums of up to kPrepared samples what is kept. Returns 0.
-    HWY_NOINLINE std::size_t finish_runs(const Run (&runs)[kRuns], std::size_t filled)
+    // Makes of the sums of up to kPrepared samples what is kept, and clears the runs.
+    HWY_NOINLINE void finish_runs(Runs& runs)
     {
         alignas(64) PreparedSums sums = {};
-        alignas(64) float results[kMostKept][kPrepared], through[kPrepared];
-        for (std::size_t r = 0; r < filled; ++r) take_sums(runs[r], kRun * r, sums);
+        alignas(64) float results[kMostKept][kPrepared];
+        for (std::size_t r = 0; r < runs.filled; ++r) take_sums(runs.run[r], kRun * r, sums);
         if constexpr (kRuns == 1) {
-            function_->prepare(sums, kept_of(runs[0].pixel, runs[0].s), count(), pass_ == 1);
+            function_->prepare(sums, kept_of(runs.run[0].pixel, runs.run[0].s), count(),
+                               pass_ == 1);
         } else {
-            if (pass_ > 1) copy_kept<false>(runs, filled, results);
+            if (pass_ > 1) copy_kept<false>(runs, results);
             function_->prepare(sums, results[0], kPrepared, pass_ == 1);
-            copy_kept<true>(runs, filled, results);
+            copy_kept<true>(runs, results);
         }
-        if (pass_ > 1) return 0;
+        if (pass_ == 1) keep_all(runs, sums[0]);
+        runs.filled = 0;
+    }
+    // Of each sample what all its fragments let through.
+    void keep_all(const Runs& runs, const double* depths)
+    {
+        alignas(64) float through[kPrepared];
         for (std::size_t i = 0; i < kPrepared; i += Wide::kCount) {
-            Wide::real::load(&sums[0][i]).store(through + i);
+            Wide::real::load(depths + i).store(through + i);
         }
         for (std::size_t i = 0; i < kPrepared; i += Floats::kCount) {
             const auto depth = Floats::real::load(through + i);
             TransmittanceText<Floats>::exp_of(Floats::real(0.0f) - depth).store(through + i);
         }
-        for (std::size_t r = 0; r < filled; ++r) {
+        for (std::size_t r = 0; r < runs.filled; ++r) {
             std::copy_n(through + kRun * r, kRun,
-                        kept_of(runs[r].pixel, runs[r].s) + kept_numbers_ * count());
+                        kept_of(runs.run[r].pixel, runs.run[r].s) + kept_numbers_ * count());
         }
-        return 0;
     }
     // And leaves 0.
     void take_sums(const Run& run, std::size_t to, PreparedSums& sums)
@@ -191,11 +195,10 @@ private:
         for (std::size_t k = 0; k < numbers_; ++k) std::fill_n(at + k * count(), kRun, 0);
     }
     template <bool IsBack>
-    void copy_kept(const Run (&runs)[kRuns], std::size_t filled,
-                   float (&numbers)[kMostKept][kPrepared])
+    void copy_kept(const Runs& runs, float (&numbers)[kMostKept][kPrepared])
     {
-        for (std::size_t r = 0; r < filled; ++r) {
-            float* at = kept_of(runs[r].pixel, runs[r].s);
+        for (std::size_t r = 0; r < runs.filled; ++r) {
+            float* at = kept_of(runs.run[r].pixel, runs.run[r].s);
             for (std::size_t k = 0; k < kept_numbers_; ++k) {
                 float* here = &numbers[k][kRun * r];
                 if (IsBack) {
@@ -208,8 +211,7 @@ private:
     }
 
     // What each fragment adds is the same for all its samples.
-    template <int Samples>
-    HWY_INLINE void add_depths(const FragmentStream& f)
+    void add_depths(const FragmentStream& f)
     {
         using Block = Lanes<16>;
         alignas(64) float depths[kChunk];
@@ -217,99 +219,111 @@ private:
         for (std::size_t first = 0; first < size; first += kChunk) {
             const std::size_t some = std::min(kChunk, size - first);
             for (std::size_t i = 0; i < some; i += Block::kCount) {
-                TransmittanceText<Block>::optical_depth(
-                    Block::real::load(f.opacity.data() + first + i))
+                const float* opacity = f.opacity.data() + first + i;
+                TransmittanceText<Block>::optical_depth(Block::real::load(opacity))
                     .store(depths + i);
             }
             const AddedUnits units =
                 function_->find_units(fragments_.places() + first, depths, some);
-            if (units.sums == nullptr) {
-                add_units<Samples, false>(f, first, some, units);
-            } else {
-                add_units<Samples, true>(f, first, some, units);
+            for (std::size_t s = 0; s < count(); s += S) {
+                if (units.sums == nullptr) {
+                    add_units<false>(f, first, some, units, s);
+                } else {
+                    add_units<true>(f, first, some, units, s);
+                }
             }
         }
     }
-    template <int Samples, bool Sparse>
+    // At samples s, s + 1, ..., S of them.
+    template <bool Sparse>
     HWY_INLINE void add_units(const FragmentStream& f, std::size_t first, std::size_t some,
-                              const AddedUnits& units)
+                              const AddedUnits& units, std::size_t s)
     {
         const std::size_t touched = function_->counts().touched;
         for (std::size_t i = 0; i < some; ++i) {
-            std::int64_t* sums = sums_of(f.pixel[first + i], 0);
-            for (std::size_t s = 0; s < Samples; s += W::kCount) {
-                const auto shown = W::mask_of_bits(fragments_.samples(f, first + i, s));
-                for (std::size_t k = 0; k < touched; ++k) {
-                    const std::size_t sum = Sparse ? units.sums[k * kChunk + i] : k;
-                    std::int64_t* at = sums + sum * Samples + s;
-                    const typename W::whole addend(units.units[k * kChunk + i]);
-                    (W::whole::load(at) + W::zero_unless(shown, addend)).store(at);
-                }
+            typename W::mask shown[kVectors];
+            for (std::size_t v = 0; v < kVectors; ++v) {
+                shown[v] = W::mask_of_bits(fragments_.samples(f, first + i, s + v * W::kCount));
+            }
+            std::int64_t* sums = sums_of(f.pixel[first + i], s);
+            std::size_t k = 0;
+            for (; k + 4 <= touched; k += 4) add_some<4, Sparse>(shown, units, k, i, sums);
+            for (; k < touched; ++k) add_some<1, Sparse>(shown, units, k, i, sums);
+        }
+    }
+    // Numbers k, k + 1, ... of fragment i.
+    template <int Some, bool Sparse>
+    HWY_INLINE void add_some(const typename W::mask (&shown)[kVectors], const AddedUnits& units,
+                             std::size_t k, std::size_t i, std::int64_t* sums) const
+    {
+        for (std::size_t n = k; n < k + Some; ++n) {
+            const std::size_t sum = Sparse ? units.sums[n * kChunk + i] : n;
+            const typename W::whole addend(units.units[n * kChunk + i]);
+            std::int64_t* at = sums + sum * count();
+            for (std::size_t v = 0; v < kVectors; ++v, at += W::kCount) {
+                (W::whole::load(at) + W::zero_unless(shown[v], addend)).store(at);
             }
         }
     }
 
     // The second time the opacities are those that are seen.
-    template <int Samples>
     void add_seen_depths(const FragmentStream& f)
     {
-        constexpr std::size_t kSome = kChunk / Samples;
+        const std::size_t samples = count(), most = kChunk / samples;
         alignas(64) float depths[kChunk + kAround], places[kChunk];
         const auto size = static_cast<std::size_t>(f.size);
-        for (std::size_t first = 0; first < size; first += kSome) {
-            const std::size_t some = std::min(kSome, size - first);
+        for (std::size_t first = 0; first < size; first += most) {
+            const std::size_t some = std::min(most, size - first);
             find_transmittances(f, first, some, depths);
             for (std::size_t i = 0; i < some; ++i) {
-                std::fill_n(places + i * Samples, Samples, fragments_.places()[first + i]);
-                for (std::size_t s = 0; s < Samples; s += L::kCount) {
-                    float* depth = depths + i * Samples + s;
+                std::fill_n(places + i * samples, samples, fragments_.places()[first + i]);
+                for (std::size_t s = 0; s < samples; s += L::kCount) {
+                    float* depth = depths + i * samples + s;
                     const auto shown = L::mask_of_bits(fragments_.samples(f, first + i, s));
                     const real seen = real(f.opacity[first + i]) * real::load(depth);
                     Text::optical_depth(L::zero_unless(shown, seen)).store(depth);
                 }
             }
-            const AddedUnits units = function_->find_units(places, depths, some * Samples);
+            const AddedUnits units = function_->find_units(places, depths, some * samples);
             for (std::size_t i = 0; i < some; ++i) {
-                add_rows<Samples>(units, i * Samples, sums_of(f.pixel[first + i], 0));
+                add_rows(units, i * samples, sums_of(f.pixel[first + i], 0));
             }
         }
     }
     // Of the samples of a pixel.
-    template <int Samples>
     HWY_INLINE void add_rows(const AddedUnits& units, std::size_t first, std::int64_t* sums)
     {
         for (std::size_t k = 0; k < function_->counts().sums; ++k) {
-            for (std::size_t s = 0; s < Samples; s += W::kCount) {
-                std::int64_t* at = sums + k * Samples + s;
+            for (std::size_t s = 0; s < count(); s += W::kCount) {
+                std::int64_t* at = sums + k * count() + s;
                 const auto addend = W::whole::load(units.units + k * kChunk + first + s);
                 (W::whole::load(at) + addend).store(at);
             }
         }
     }
 
-    template <int Samples>
     void add_colors(const FragmentStream& f)
     {
-        constexpr std::size_t kSome = kValues / Samples;
+        const std::size_t samples = count(), most = kValues / samples;
         const ExactGrid weights(-kColorBits), colors = fragments_.color_grid();
         alignas(64) float through[kValues + kAround];
         const auto size = static_cast<std::size_t>(f.size);
-        for (std::size_t first = 0; first < size; first += kSome) {
-            const std::size_t some = std::min(kSome, size - first);
+        for (std::size_t first = 0; first < size; first += most) {
+            const std::size_t some = std::min(most, size - first);
             find_transmittances(f, first, some, through);
             for (std::size_t j = 0; j < some; ++j) {
                 const std::size_t i = first + j;
                 std::int64_t* sums = sums_of(f.pixel[i], 0);
-                for (std::size_t s = 0; s < Samples; s += L::kCount) {
-                    const real seen = real::load(through + j * Samples + s);
+                for (std::size_t s = 0; s < samples; s += L::kCount) {
+                    const real seen = real::load(through + j * samples + s);
                     const real weight =
                         L::zero_unless(L::mask_of_bits(fragments_.samples(f, i, s)),
                                        Text::visible_alpha(seen, real(f.opacity[i])));
                     const real3 color = weight * color_of<Text>(f, i);
                     add_exactly<L, W>(color.x, colors, sums + s);
-                    add_exactly<L, W>(color.y, colors, sums + Samples + s);
-                    add_exactly<L, W>(color.z, colors, sums + 2 * Samples + s);
-                    add_exactly<L, W>(weight, weights, sums + 3 * Samples + s);
+                    add_exactly<L, W>(color.y, colors, sums + samples + s);
+                    add_exactly<L, W>(color.z, colors, sums + 2 * samples + s);
+                    add_exactly<L, W>(weight, weights, sums + 3 * samples + s);
                 }
             }
         }
