@@ -7,6 +7,7 @@
 #define SHEER_EXACT_SUMS_INL_H
 #endif
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 
@@ -20,9 +21,16 @@ struct ExactGrid {
     double unit;   // a power of two
     double magic;  // where doubles are a unit apart
 
+    // Made for every few fragments, so from bits: ldexp is a call.
     explicit ExactGrid(int exponent)
-        : unit(std::ldexp(1.0, exponent)), magic(std::ldexp(1.5, 52 + exponent))
+        : unit(power_of_two(exponent)), magic(1.5 * power_of_two(52 + exponent))
     {
+    }
+
+private:
+    static double power_of_two(int exponent)
+    {
+        return std::bit_cast<double>(static_cast<std::uint64_t>(1023 + exponent) << 52);
     }
 };
 
