@@ -2,6 +2,7 @@
 // how it is found.
 #include "scene/polygon.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -138,26 +139,109 @@ TEST(Polygon, RandomStarsInRandomPlanes)
     }
 }
 
-TEST(Polygon, WhateverComesIsCutIntoAsManyTriangles)
+TEST(Polygon, WhateverComesIsCut)
 {
     std::mt19937 random(2);
     std::uniform_real_distribution<float> any(-1, 1);
-    for (int n = 3; n < 200; ++n) {
+    for (int n = 3; n < 200; n += 1 + n / 20) {
         std::vector<Float3> corners;
         for (int i = 0; i < n; ++i) {
             // Crossing itself, with corners in one place and on lines.
             corners.push_back({std::round(4 * any(random)), std::round(4 * any(random)), 0});
         }
-        EXPECT_EQ(cut(corners).size(), 3 * (corners.size() - 2));
+        EXPECT_LE(cut(corners).size(), 3 * (corners.size() - 2));
         for (Float3& corner : corners) corner = {1, 1, 1};
+        EXPECT_LE(cut(corners).size(), n == 3 ? 3u : 0u);
+        // No two in one place and none on a line: none is left out.
+        for (int i = 0; i < n; ++i) {
+            corners[static_cast<std::size_t>(i)] = {any(random), any(random), 0};
+        }
         EXPECT_EQ(cut(corners).size(), 3 * (corners.size() - 2));
+    }
+}
+
+double area_of_triangles(const std::vector<Float3>& corners, const Indices& indices)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < indices.size(); i += 3) {
+        const auto part =
+            area_vector(corners[indices[i]], corners[indices[i + 1]], corners[indices[i + 2]]);
+        sum += std::sqrt(dot(part, part));
+    }
+    return sum;
+}
+
+TEST(Polygon, CornersGivenTwiceChangeNothing)
+{
+    // An arrow with a notch, and a square: areas 2 and 4.
+    const std::vector<Float3> arrow = {{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
+    const std::vector<Float3> square = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    for (const auto& polygon : {arrow, square}) {
+        for (std::size_t twice = 0; twice < polygon.size(); ++twice) {
+            std::vector<Float3> corners = polygon;
+            corners.insert(corners.begin() + static_cast<std::ptrdiff_t>(twice), 2, polygon[twice]);
+            const auto whole = area_of(polygon);
+            const double area = std::sqrt(dot(whole, whole));
+            for (std::size_t start = 0; start < corners.size(); ++start) {
+                const Indices indices = cut(corners);
+                EXPECT_EQ(indices.size(), 6u);
+                EXPECT_NEAR(area_of_triangles(corners, indices), area, 1e-12);
+                std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+            }
+        }
+    }
+}
+
+TEST(Polygon, SpikesWithoutAreaAreNotDrawn)
+{
+    // Inwards and out again, to where it began and to less.
+    std::vector<Float3> to_it = {{0, 0, 0}, {2, 0, 0}, {1, 1, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    std::vector<Float3> to_less = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0},
+                                   {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
+    for (std::size_t start = 0; start < to_it.size(); ++start) {
+        EXPECT_NEAR(area_of_triangles(to_it, cut(to_it)), 4, 1e-12);
+        std::rotate(to_it.begin(), to_it.begin() + 1, to_it.end());
+    }
+    for (std::size_t start = 0; start < to_less.size(); ++start) {
+        EXPECT_NEAR(area_of_triangles(to_less, cut(to_less)), 4.5, 1e-12);
+        std::rotate(to_less.begin(), to_less.begin() + 1, to_less.end());
+    }
+}
+
+// Neighbours along an edge have its corners: no triangle may leave one inside of its own edge.
+TEST(Polygon, CornersOnALineAreCornersOfTriangles)
+{
+    // Side by side: one, two and no more corners on the sides of a square, and of a triangle.
+    std::vector<std::vector<Float3>> all = {
+        {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}},
+        {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}, {0, 1, 0}},
+        {{0, 0, 0},
+         {1, 0, 0},
+         {2, 0, 0},
+         {3, 0, 0},
+         {2, 1, 0},
+         {1, 2, 0},
+         {0, 3, 0},
+         {0, 2, 0},
+         {0, 1, 0}}};
+    for (std::vector<Float3>& corners : all) {
+        for (std::size_t start = 0; start < corners.size(); ++start) {
+            const Indices indices = cut(corners);
+            ASSERT_EQ(indices.size(), 3 * (corners.size() - 2));
+            for (std::size_t i = 0; i < indices.size(); i += 3) {
+                const auto part = area_vector(corners[indices[i]], corners[indices[i + 1]],
+                                              corners[indices[i + 2]]);
+                EXPECT_GT(part[2], 0);
+            }
+            std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+        }
     }
 }
 
 TEST(Polygon, WorkHasABound)
 {
     // A spiral of saws: each look for an ear costs all that turn the other way.
-    constexpr int kCorners = 30000;
+    constexpr int kCorners = 3000;
     std::vector<Float3> corners;
     for (int i = 0; i < kCorners; ++i) {
         const double angle = 2 * std::numbers::pi * i / kCorners, radius = i % 2 ? 1 : 0.999;
@@ -166,10 +250,29 @@ TEST(Polygon, WorkHasABound)
     }
     Indices polygon(kCorners), indices;
     std::iota(polygon.begin(), polygon.end(), 0u);
-    PolygonCutter cutter;
+    PolygonCutter cutter(5'000'000);
     for (int i = 0; i < 20; ++i) cutter.add(indices, polygon, corners);
     EXPECT_GT(cutter.uncut(), 0u);
     EXPECT_EQ(indices.size(), 20u * 3 * (kCorners - 2));
+}
+
+// Half of a ring's corners turn the other way: cut one by one without the bound, 10^10 tests.
+TEST(Polygon, BeyondTheBoundNothingIsLookedAt)
+{
+    constexpr int kCorners = 100000;
+    std::vector<Float3> corners;
+    for (int i = 0; i < kCorners; ++i) {
+        const int k = i < kCorners / 2 ? i : kCorners - 1 - i;
+        const double angle = 3.0 * k / kCorners, radius = i < kCorners / 2 ? 1 : 0.5;
+        corners.push_back({static_cast<float>(1000 * radius * std::cos(angle)),
+                           static_cast<float>(1000 * radius * std::sin(angle)), 0});
+    }
+    Indices polygon(kCorners), indices;
+    std::iota(polygon.begin(), polygon.end(), 0u);
+    PolygonCutter cutter(1'000'000);
+    cutter.add(indices, polygon, corners);
+    EXPECT_EQ(cutter.uncut(), 1u);
+    EXPECT_EQ(indices.size(), 3u * (kCorners - 2));
 }
 
 }  // namespace
