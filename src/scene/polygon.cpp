@@ -9,16 +9,6 @@ namespace sheer {
 
 namespace {
 
-void add_fan(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon,
-             std::size_t first = 0)
-{
-    const std::size_t n = polygon.size();
-    for (std::size_t i = 2; i < n; ++i) {
-        indices.insert(indices.end(),
-                       {polygon[first], polygon[(first + i - 1) % n], polygon[(first + i) % n]});
-    }
-}
-
 // Whether the way from a by b to c goes back along itself, exactly. Such spikes have no area, and
 // two triangles on top of one another would be drawn for it.
 bool is_spike(const Float3& a, const Float3& b, const Float3& c)
@@ -50,6 +40,16 @@ std::array<double, 3> normal_of(std::span<const Float3> corners)
 }
 
 }  // namespace
+
+void add_fan(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon,
+             std::size_t first)
+{
+    const std::size_t n = polygon.size();
+    for (std::size_t i = 2; i < n; ++i) {
+        indices.insert(indices.end(),
+                       {polygon[first], polygon[(first + i - 1) % n], polygon[(first + i) % n]});
+    }
+}
 
 // Along the axis on which the most of the area is seen.
 void PolygonCutter::flatten(std::span<const Float3> corners)

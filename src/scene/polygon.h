@@ -15,6 +15,10 @@ namespace sheer {
 inline constexpr const char* kUncutPolygons = "polygons with notches that are too much work to cut";
 inline constexpr const char* kUncutBecause = "drawn as fans";
 
+// Triangles around one of a polygon's corners, given by its place in it.
+void add_fan(std::vector<std::uint32_t>& indices, std::span<const std::uint32_t> polygon,
+             std::size_t first = 0);
+
 // Cuts one polygon after the other. Corners in the place of the one before, and those to which an
 // edge goes and comes back from, are left out. Convex ones become a fan, around their first corner
 // unless that leaves a corner inside of another triangle's edge. Others lose

@@ -35,7 +35,7 @@ bool is_json(const Bytes& content)
 
 bool is_ply(const Bytes& content)
 {
-    return as_text(content).starts_with("ply\n") || as_text(content).starts_with("ply\r\n");
+    return as_text(content).starts_with("ply\n") || as_text(content).starts_with("ply\r");
 }
 
 bool is_unmarked(const Bytes&)

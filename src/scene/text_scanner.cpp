@@ -42,13 +42,14 @@ TextScanner::TextScanner(std::string path, std::string_view text, LineJoin join)
         fail_in_file(path_, "UTF-16 text is not supported, only UTF-8 is");
     }
     if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+    if (text_.find('\n') == std::string_view::npos) end_ = '\r';
 }
 
 bool TextScanner::next_line()
 {
     do {
         if (next_ >= text_.size()) return false;
-        const std::size_t feed = text_.find('\n', next_);
+        const std::size_t feed = text_.find(end_, next_);
         at_ = next_;
         line_end_ = feed == std::string_view::npos ? text_.size() : feed;
         next_ = line_end_ + (feed != std::string_view::npos);

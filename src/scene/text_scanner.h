@@ -24,7 +24,7 @@ public:
     TextScanner(std::string path, std::string_view text, LineJoin join = LineJoin::none);
 
     // Goes to the start of the next line; false at the end of the text. A line ends with a line
-    // feed, or a carriage return and one.
+    // feed, or a carriage return and one; in texts without any line feed, with a carriage return.
     bool next_line();
 
     // The next word of the line; empty at its end.
@@ -57,6 +57,7 @@ private:
     std::string path_;
     std::string_view text_;
     LineJoin join_;
+    char end_ = '\n';
     std::size_t at_ = 0, line_end_ = 0, next_ = 0;
     std::size_t line_number_ = 0;
     bool joined_ = false;  // the next line continues this one

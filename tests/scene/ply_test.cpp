@@ -57,6 +57,43 @@ TEST(Ply, NotchesOfFacesStayOpen)
     EXPECT_EQ(scene.meshes.at(0).indices, (Indices{1, 2, 3, 3, 0, 1}));
 }
 
+TEST(Ply, FacesBeforeVerticesAreFans)
+{
+    const Mesh mesh = read(ascii(faces(1) + vertices(4), "4 0 1 2 3\n" + kCorners)).meshes[0];
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2, 0, 2, 3}));
+}
+
+// A stray vertex far away would put the scene into a corner of the picture.
+TEST(Ply, VerticesThatNoFaceUsesAreLeftOut)
+{
+    const Mesh mesh =
+        read(ascii(vertices(4) + faces(1), "9e9 0 0\n0 0 0\n1 0 0\n1 1 0\n3 1 2 3\n")).meshes[0];
+    EXPECT_EQ(mesh.positions, (std::vector<Float3>{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}));
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 2}));
+}
+
+TEST(Ply, WhatIsIncompleteIsNoted)
+{
+    const auto ignored = [](const std::string& more, const std::string& rest) {
+        return read(ascii("comment TextureFile a.png\n" + vertices(3, more) + faces(2),
+                          "0 0 0 " + rest + "\n1 0 0 " + rest + "\n1 1 0 " + rest +
+                              "\n3 0 1 2\n2 0 1\n"))
+            .ignored;
+    };
+    const std::string always = "textures that a comment names: 1, drawn without";
+    const std::string faces = "faces of fewer than 3 corners: 1, not drawn";
+    using Lines = std::vector<std::string>;
+    EXPECT_EQ(ignored("", ""), (Lines{faces, always}));
+    EXPECT_EQ(ignored("property uchar alpha\n", "9"),
+              (Lines{"alpha without red, green and blue: 1, not read", faces, always}));
+    EXPECT_EQ(ignored("property float nx\n", "1"),
+              (Lines{faces, "normals without nx, ny and nz: 1, not read", always}));
+    EXPECT_EQ(ignored("property uchar red\n", "1"),
+              (Lines{"colours without red, green and blue: 1, not read", faces, always}));
+    EXPECT_EQ(ignored("property float s\n", "1"),
+              (Lines{faces, "texture coordinates of which one is missing: 1, not read", always}));
+}
+
 TEST(Ply, WhatIsNotReadIsNoted)
 {
     const Scene scene = read(ascii(vertices(3, "property float quality\n") + faces(1) +
@@ -103,6 +140,9 @@ TEST(Ply, ColorsOfEveryType)
     };
     EXPECT_FLOAT_EQ(color("uchar", "51")[1], decoded_srgb(0.2));
     EXPECT_FLOAT_EQ(color("ushort", "13107")[1], decoded_srgb(0.2));
+    EXPECT_EQ(color("char", "127")[1], 1);
+    EXPECT_FLOAT_EQ(color("short", "6553.4")[1], decoded_srgb(0.2));
+    EXPECT_EQ(color("int", "2147483647")[1], 1);
     EXPECT_FLOAT_EQ(color("float", "0.2")[1], decoded_srgb(0.2));
     EXPECT_EQ(color("float", "1")[1], 1);
     EXPECT_EQ(color("float", "7")[1], 1);
@@ -155,6 +195,16 @@ TEST(Ply, BinaryOfEitherByteOrder)
     }
 }
 
+TEST(Ply, HeadersOfCarriageReturns)
+{
+    // 10 is the byte of a line feed.
+    std::string text =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 1\nproperty uchar x\n"
+        "property uchar y\nproperty uchar z\nend_header\n";
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    EXPECT_EQ(read(text + "\n\n\r").meshes[0].positions, (std::vector<Float3>{{10, 10, 13}}));
+}
+
 TEST(Ply, StripsEndAtMinusOne)
 {
     const std::string elements =
@@ -169,7 +219,8 @@ TEST(Ply, EdgesAreLines)
     const std::string edges = "element edge 2\nproperty int vertex1\nproperty int vertex2\n";
     const Mesh mesh = read(ascii(vertices(4) + edges, kCorners + "0 1\n1 3\n")).meshes[0];
     EXPECT_EQ(mesh.topology, Topology::lines);
-    EXPECT_EQ(mesh.indices, (Indices{0, 1, 1, 3}));
+    EXPECT_EQ(mesh.indices, (Indices{0, 1, 1, 2}));  // the vertex that no edge uses is left out
+    EXPECT_EQ(mesh.positions.at(2), (Float3{0, 1, 0.5f}));
 
     const Scene both =
         read(ascii(vertices(4) + faces(1) + edges, kCorners + "3 0 1 2\n3 1\n1 3\n"));
@@ -201,6 +252,8 @@ TEST(Ply, LineEndsOfWindowsAndRowsOnAnyLines)
     for (std::size_t i = text.find('\n'); i != std::string::npos; i = text.find('\n', i + 2)) {
         text.insert(i, "\r");
     }
+    EXPECT_EQ(read(text).meshes[0].indices, (Indices{0, 1, 2}));
+    std::erase(text, '\n');
     EXPECT_EQ(read(text).meshes[0].indices, (Indices{0, 1, 2}));
 }
 
@@ -237,6 +290,7 @@ TEST(Ply, Faults)
     EXPECT_EQ(fault(ascii(one, "1 2 3\n3 0 0 -1\n")), "line 12: a vertex that does not exist");
     EXPECT_EQ(fault(ascii(one, "1 2 3\n3 0 0 nan\n")), "line 12: a vertex that does not exist");
     EXPECT_EQ(fault(ascii(one, "1 2 3\n-3 0 0\n")), "line 12: a list has a negative length");
+    EXPECT_EQ(fault(ascii(one, "1 2 3\nnan 0 0\n")), "line 12: a list's length is not a number");
     EXPECT_EQ(fault(ascii(one, "1 2 3\n4000000000 0\n")),
               "line 12: a list is longer than the file");
 }

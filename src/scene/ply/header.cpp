@@ -140,9 +140,15 @@ const Element* Header::find(std::string_view name) const
 
 Header read_header(const std::string& path, std::string_view text)
 {
+    if (!text.starts_with("ply")) fail_in_file(path, "not a PLY file");
+    // Rows of bytes may hold line feeds though the header, all carriage returns, has none.
+    constexpr std::string_view kEnd = "end_header\r";
+    const std::size_t end = text.find(kEnd);
+    if (text.starts_with("ply\r") && !text.starts_with("ply\r\n") && end != text.npos) {
+        text = text.substr(0, end + kEnd.size());
+    }
     TextScanner line(path, text);
-    if (!text.starts_with("ply") || !line.next_line() || line.word() != "ply")
-        fail_in_file(path, "not a PLY file");
+    if (!line.next_line() || line.word() != "ply") fail_in_file(path, "not a PLY file");
     Header header;
     bool has_format = false;
     while (line.next_line()) {
@@ -163,7 +169,9 @@ Header read_header(const std::string& path, std::string_view text)
             header.elements.push_back({name, line.whole(), {}});
         } else if (word == "property") {
             read_property(line, header);
-        } else if (!word.empty() && word != "comment" && word != "obj_info") {
+        } else if (word == "comment") {
+            header.textures += line.word() == "TextureFile";
+        } else if (!word.empty() && word != "obj_info") {
             line.fail(word, "does not belong into a header");
         }
     }

@@ -36,6 +36,7 @@ struct Element {
     std::vector<Property> properties;
 
     const Property* find(Use use) const;
+    bool has(Use use) const { return find(use) != nullptr; }
 };
 
 enum class Format { text, little_endian, big_endian };
@@ -45,6 +46,7 @@ struct Header {
     std::vector<Element> elements;  // in the order in which their rows follow
     std::size_t size = 0;           // bytes; the rows begin behind them
     std::size_t lines = 0;
+    std::size_t textures = 0;  // that comments name, as MeshLab's do
 
     const Element* find(std::string_view name) const;
 };

@@ -35,7 +35,8 @@ std::uint64_t read_length(Source& source, const Property& property)
 {
     const double length = source.next(property.count_type);
     const auto most = static_cast<double>(source.bytes_left() / source.least_bytes(property.type));
-    if (!(length >= 0)) source.fail("a list has a negative length");
+    if (std::isnan(length)) source.fail("a list's length is not a number");
+    if (length < 0) source.fail("a list has a negative length");
     if (length > most) source.fail("a list is longer than the file");
     return static_cast<std::uint64_t>(length);
 }
@@ -71,12 +72,12 @@ void read_row(Source& source, const Element& element, const Model& model, Values
 double largest_color(Type type)
 {
     switch (type) {
-        case Type::int8:
+        case Type::int8: return 127;
         case Type::uint8: return 255;
-        case Type::int16:
+        case Type::int16: return 32767;
         case Type::uint16: return 65535;
-        case Type::int32:
-        case Type::uint32: return 4294967295.0;
+        case Type::int32: return 2147483647;
+        case Type::uint32: return 4294967295;
         default: return 1;
     }
 }
@@ -165,14 +166,19 @@ void read_faces(Source& source, const Element& element, Model& model)
     for (std::uint64_t i = 0; i < element.count; ++i) {
         values.list.clear();
         read_row(source, element, model, values);
+        model.short_faces += values.list.size() < 3;
         corners.clear();
         for (const std::uint32_t vertex : values.list) {
             if (vertex == kNoVertex) source.fail("a vertex that does not exist");
-            if (values.list.size() <= 3) continue;  // nothing to cut
-            // Where a file has faces before vertices, they become fans.
-            corners.push_back(vertex < positions.size() ? positions[vertex] : Float3{});
+            const bool to_cut = values.list.size() > 3 && !positions.empty();
+            if (to_cut) corners.push_back(positions[vertex]);
         }
-        cutter.add(model.faces.indices, values.list, corners);
+        // Where a file has faces before vertices, they become fans.
+        if (corners.empty()) {
+            add_fan(model.faces.indices, values.list);
+        } else {
+            cutter.add(model.faces.indices, values.list, corners);
+        }
     }
     model.uncut = cutter.uncut();
 }

@@ -17,7 +17,8 @@ struct Model {
     bool transparent = false;  // a vertex is
     Mesh faces;                // with the vertices
     std::vector<std::uint32_t> lines;
-    std::size_t uncut = 0;  // PolygonCutter::uncut
+    std::size_t uncut = 0;        // PolygonCutter::uncut
+    std::size_t short_faces = 0;  // of fewer than 3 corners
 };
 
 // Throws as read_ply does.

@@ -1,6 +1,7 @@
 // The stages in order: the header, the rows, a scene. The first two stand beside this file.
 #include "scene/ply.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -76,6 +77,29 @@ void note_what_is_skipped(const Header& header, gltf::Notes& notes)
     }
 }
 
+// Properties that only their full number makes something of.
+void note_incomplete(const Header& header, gltf::Notes& notes)
+{
+    struct Group {
+        const char* what;
+        std::vector<Use> needed, given;
+    };
+    static const Group kGroups[] = {
+        {"normals without nx, ny and nz", {Use::nx, Use::ny, Use::nz}, {}},
+        {"colours without red, green and blue", {Use::red, Use::green, Use::blue}, {}},
+        {"alpha without red, green and blue", {Use::red, Use::green, Use::blue}, {Use::alpha}},
+        {"texture coordinates of which one is missing", {Use::u, Use::v}, {}}};
+    const Element& vertex = *header.find("vertex");
+    const auto has = [&](Use use) { return vertex.has(use); };
+    for (const auto& [what, needed, given] : kGroups) {
+        const std::vector<Use>& any = given.empty() ? needed : given;
+        if (std::any_of(any.begin(), any.end(), has) &&
+            !std::all_of(needed.begin(), needed.end(), has)) {
+            notes.add(what, "not read");
+        }
+    }
+}
+
 Scene to_scene(const std::string& path, Model model, const Header& header)
 {
     Scene scene;
@@ -99,9 +123,13 @@ Scene to_scene(const std::string& path, Model model, const Header& header)
         edges.material = add_material(Topology::lines);
         place_mesh(scene, std::move(edges));
     }
+    gltf::drop_unused_vertices(mesh);
     mesh.material = add_material(mesh.topology);
     gltf::Notes notes;
     note_what_is_skipped(header, notes);
+    note_incomplete(header, notes);
+    notes.add("textures that a comment names", "drawn without", header.textures);
+    notes.add("faces of fewer than 3 corners", "not drawn", model.short_faces);
     notes.add(kUncutPolygons, kUncutBecause, model.uncut);
     gltf::repair_normals(mesh, notes);
     scene.ignored = notes.lines();
