@@ -32,7 +32,7 @@ struct LoadOptions {
     std::uint64_t most_texels = std::uint64_t{1} << 29;     // of all images: two gibibytes
     std::uint64_t most_elements = std::uint64_t{1} << 28;   // of all accessors of a glTF file;
                                                             // a 256th of those without data
-    std::uint64_t most_objects = std::uint64_t{1} << 22;    // instances counted; an OBJ's parts
+    std::uint64_t most_objects = std::uint64_t{1} << 22;    // instances counted; parts of OBJ, STL
     std::uint64_t most_triangles = std::uint64_t{1} << 31;  // of a glTF, for each object anew
 };
 

@@ -13,8 +13,8 @@
 namespace sheer {
 
 // One mesh and one object for each pair of a name and a material. The name is that of `o`, or of
-// `g` in files without `o`. Polygons are cut around their first corner, polylines are lines, and a
-// file of nothing but vertices is points. Colours behind a position count as sRGB. Free-form
+// `g` in files without `o`. Polygons with notches are cut into triangles, polylines are lines, and
+// a file of nothing but vertices is points. Colours behind a position count as sRGB. Free-form
 // surfaces are not drawn.
 //
 // Materials and PNG and JPEG images are read where they lie below the OBJ file's folder, or, if

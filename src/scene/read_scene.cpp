@@ -56,6 +56,12 @@ Scene read_obj_file(const std::string& path, Bytes content, const LoadOptions& o
     return read_obj(path, content, options);
 }
 
+Scene read_stl_file(const std::string& path, Bytes content, const LoadOptions& options)
+{
+    refuse_choice(path, options);
+    return read_stl(path, content, options);
+}
+
 template <Scene read(const std::string&, const Bytes&)>
 Scene read_lone_file(const std::string& path, Bytes content, const LoadOptions& options)
 {
@@ -72,7 +78,7 @@ struct Format {
 constexpr std::array<Format, 6> kFormats = {{{".glb", is_glb, read_gltf},
                                              {".gltf", is_json, read_gltf},
                                              {".ply", is_ply, read_lone_file<read_ply>},
-                                             {".stl", is_binary_stl, read_lone_file<read_stl>},
+                                             {".stl", is_binary_stl, read_stl_file},
                                              {".obj", is_unmarked, read_obj_file},
                                              {".tfx", is_unmarked, read_lone_file<read_tfx>}}};
 

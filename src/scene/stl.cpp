@@ -62,7 +62,7 @@ void read_binary(const std::string& path, const Bytes& content, Scene& scene)
 {
     const std::uint64_t count = triangle_count(content);
     if (content.size() < kHeaderSize || (content.size() - kHeaderSize) / kTriangleSize < count) {
-        fail_in_file(path, "the file is cut short");
+        fail_in_file(path, "not an STL file, or one that is cut short");
     }
     Welder welder;
     welder.indices.reserve(3 * static_cast<std::size_t>(count));
@@ -85,6 +85,8 @@ void read_binary(const std::string& path, const Bytes& content, Scene& scene)
     }
     if (count > 0) place_mesh(scene, welder.to_mesh(name_of_file(path)));
     gltf::Notes notes;
+    notes.add("bytes behind the triangles", "not read",
+              content.size() - kHeaderSize - kTriangleSize * static_cast<std::size_t>(count));
     // Some writers keep colours in the spare bytes, and one for all in the header.
     notes.add("triangles with spare bytes, which may be colours", "not read", spare);
     const std::string_view header = as_text(content).substr(0, kHeaderSize - 4);
@@ -102,8 +104,12 @@ std::string in_small_letters(std::string_view word)
 // A text file's solids, facets and loops, of which only the corners matter.
 class TextReader {
 public:
-    TextReader(const std::string& path, const Bytes& content, Scene& scene)
-        : line_(path, as_text(content)), scene_(scene), file_name_(name_of_file(path))
+    TextReader(const std::string& path, const Bytes& content, const LoadOptions& options,
+               Scene& scene)
+        : line_(path, as_text(content)),
+          options_(options),
+          scene_(scene),
+          file_name_(name_of_file(path))
     {
     }
 
@@ -142,6 +148,10 @@ private:
     {
         if (!polygon_.empty()) line_.fail("a loop has no end");
         if (!welder_.indices.empty()) {
+            if (scene_.objects.size() >= options_.most_objects) {
+                line_.fail("more solids than --most-objects allows (" +
+                           std::to_string(options_.most_objects) + ")");
+            }
             place_mesh(scene_, welder_.to_mesh(name_.empty() ? file_name_ : name_));
         }
         welder_ = {};
@@ -149,6 +159,7 @@ private:
     }
 
     TextScanner line_;
+    const LoadOptions& options_;
     Scene& scene_;
     std::string file_name_, name_;
     Welder welder_;
@@ -167,6 +178,11 @@ bool is_binary_stl(const Bytes& content)
 
 Scene read_stl(const std::string& path, const Bytes& content)
 {
+    return read_stl(path, content, {});
+}
+
+Scene read_stl(const std::string& path, const Bytes& content, const LoadOptions& options)
+{
     Scene scene;
     scene.materials.push_back(plain_material(name_of_file(path), false, Topology::triangles));
     const std::string_view text = as_text(content);
@@ -177,7 +193,7 @@ Scene read_stl(const std::string& path, const Bytes& content)
     if (is_binary_stl(content) || !is_text) {
         read_binary(path, content, scene);
     } else {
-        TextReader(path, content, scene).read();
+        TextReader(path, content, options, scene).read();
     }
     if (scene.meshes.empty()) fail_in_file(path, "the file holds no triangles");
     return scene;

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include <sheer/scene.h>
+#include <sheer/sheer.h>
 
 #include "support/read_file.h"
 
@@ -18,8 +18,8 @@ bool is_binary_stl(const Bytes& content);
 // Corners in the same place become one vertex; the normals in the file are not looked at, surfaces
 // are flat; nor are the colours that some programs put into a binary file's spare bytes. A text
 // file has one mesh for each of its solids. Throws Error with Fault::input, "<path>: line <n>:
-// <what>" or
-// "<path>: byte <n>: <what>".
+// <what>" or "<path>: byte <n>: <what>".
+Scene read_stl(const std::string& path, const Bytes& content, const LoadOptions& options);
 Scene read_stl(const std::string& path, const Bytes& content);
 
 }  // namespace sheer

@@ -99,13 +99,19 @@ void TextScanner::refuse(std::string_view word) const
     fail(word, "is not a number");
 }
 
-float TextScanner::to_number(std::string_view word) const
+float TextScanner::to_any_number(std::string_view word) const
 {
     float value = 0;
     const std::errc error = parse(word, value);
     // Below the smallest float as well as above the largest one.
     if (error == std::errc::result_out_of_range) value = static_cast<float>(to_double(word));
     if (error == std::errc::invalid_argument) refuse(word);
+    return value;
+}
+
+float TextScanner::to_number(std::string_view word) const
+{
+    const float value = to_any_number(word);
     if (!std::isfinite(value)) fail(word, "is not a finite number");
     return value;
 }

@@ -36,6 +36,8 @@ public:
     // The next word as a number. Fails where it is none, is not finite or leaves the floats.
     float number() { return to_number(word()); }
     float to_number(std::string_view word) const;
+    // The same, but it may be infinite or "nan".
+    float to_any_number(std::string_view word) const;
     double to_double(std::string_view word) const;
 
     // The next word as a whole number that is not negative.

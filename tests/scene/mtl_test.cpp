@@ -1,4 +1,5 @@
 // The materials of OBJ files: numbers, images and what they make transparent.
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -8,6 +9,7 @@
 
 #include "image/png_file.h"
 #include "scene/obj.h"
+#include "scene/obj/materials.h"
 #include "support/test_folder.h"
 
 namespace sheer::test {
@@ -279,6 +281,65 @@ TEST(Mtl, TexelsAreBounded)
     EXPECT_EQ(read(3).images.size(), 2u);
     EXPECT_THROW(read(2), Error);
     EXPECT_THROW(read(1), Error);
+}
+
+TEST(Mtl, ImagesBesideTheLibraryComeFirst)
+{
+    const Scenery scenery;
+    scenery.write_png("a.png", {kOpaque});
+    scenery.write_png("b.png", {kOpaque});
+    scenery.write_png("sub/a.png", {kHalf});
+    scenery.write("sub/s.mtl", "newmtl m\nmap_Kd -cc on a.png\nmap_Ke b.png\n");
+    const Scene scene = scenery.read("", "sub/s.mtl");
+    EXPECT_TRUE(scene.ignored.empty());
+    const Material& m = scene.materials.at(0);
+    ASSERT_TRUE(m.base_color_texture && m.emission_texture);
+    EXPECT_EQ(scene.images[m.base_color_texture->image].texels.at(0), kHalf);
+    EXPECT_EQ(scene.images[m.emission_texture->image].texels.at(0), kOpaque);
+    // Beside the library is no way out of the scene's folder.
+    scenery.write("sub/s.mtl", "newmtl m\nmap_Kd ../../" +
+                                   std::filesystem::path(scenery.path()).filename().string() +
+                                   "/../x.png\n");
+    EXPECT_EQ(scenery.read("", "sub/s.mtl").images.size(), 0u);
+}
+
+TEST(Mtl, OptionsOfOpacityThatDoNotCountAreNoted)
+{
+    const Scenery scenery;
+    scenery.write_png("a.png", {kOpaque});
+    EXPECT_EQ(scenery.read("map_Kd a.png\nmap_d -s 2 2 a.png\n").ignored,
+              (std::vector<std::string>{"options of a map_d that a map_Kd does not have: 1, those "
+                                        "of map_Kd count"}));
+    EXPECT_TRUE(scenery.read("map_Kd -s 2 2 a.png\nmap_d -s 2 2 a.png\n").ignored.empty());
+}
+
+TEST(Mtl, CommentsAreNoPartOfNames)
+{
+    const Scenery scenery;
+    scenery.write("b.mtl", "newmtl Material #25\nd 0.25\nnewmtl m\nd 0.5\n");
+    const auto opacity = [&](const std::string& uses) {
+        const std::string text =
+            "mtllib b.mtl # the one\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl " + uses + "\nf 1 2 3\n";
+        const Scene scene = read_obj(scenery.path() + "/a.obj", Bytes(text.begin(), text.end()));
+        EXPECT_TRUE(scene.ignored.empty());
+        return scene.materials.at(0).opacity;
+    };
+    EXPECT_EQ(opacity("m # red"), 0.5f);
+    EXPECT_EQ(opacity("Material #25"), 0.25f);
+}
+
+TEST(Mtl, FilesThatAreNotThereAreNotLookedForWithoutEnd)
+{
+    const Scenery scenery;
+    scenery.write("a", "");
+    scenery.write("b", "");
+    obj::FileFinder finder(scenery.path() + "/x.obj", false, 3);
+    EXPECT_FALSE(finder.find("none"));
+    EXPECT_FALSE(finder.find("nothing"));
+    EXPECT_TRUE(finder.find("a"));
+    EXPECT_FALSE(finder.find("b"));
+    EXPECT_TRUE(finder.find("a"));
+    EXPECT_EQ(finder.not_looked_for(), 1u);
 }
 
 TEST(Mtl, LibrariesOfEveryName)

@@ -196,6 +196,48 @@ TEST(Obj, WhatIsNotDrawnIsNoted)
     EXPECT_EQ(scene.meshes.size(), 1u);
 }
 
+TEST(Obj, StatementsThatAreNotKnownAreNoted)
+{
+    const Scene scene = read(kSquare + "# v\nfo 1 2 3\nvp 0 1\nvp 1 1\ns 1\ns off\nlod 3\n");
+    EXPECT_EQ(scene.meshes.at(0).indices, (Indices{0, 1, 2}));  // fo is what f was called once
+    EXPECT_EQ(scene.ignored,
+              (std::vector<std::string>{"smoothing groups without normals: 1, drawn flat",
+                                        "statements called lod: 1, not read",
+                                        "statements called vp: 2, not read"}));
+    EXPECT_TRUE(read(kSquare + "vn 0 0 1\ns 1\nf 1//1 2//1 3//1\n").ignored.empty());
+}
+
+// As PLY and glTF do: only positions must be numbers.
+TEST(Obj, NormalsAndTextureCoordinatesThatAreNoNumbers)
+{
+    const Scene scene = read(kSquare + "vn nan 0 0\nvt nan 0\nvt 1 inf\nf 1/1/1 2/2/1 3/1/1\n");
+    EXPECT_EQ(scene.meshes.at(0).texcoords[0].at(0), (Float2{0, 0}));
+    EXPECT_EQ(scene.meshes.at(0).texcoords[0].at(1), (Float2{0, 0}));
+    EXPECT_FLOAT_EQ(std::abs(scene.meshes.at(0).normals.at(0)[2]), 1);
+}
+
+TEST(Obj, LinesMayEndWithCarriageReturns)
+{
+    std::string text = kSquare + "f 1 2 3\n";
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    EXPECT_EQ(read(text).meshes.at(0).indices, (Indices{0, 1, 2}));
+}
+
+// Each is kept once, whatever the number of parts; scenes get their beginnings.
+TEST(Obj, LongNamesStayApart)
+{
+    const std::string same(100000, 'x');
+    std::string text = kSquare + "usemtl " + same + "1\n";
+    for (int i = 0; i < 3000; ++i) text += "g " + std::to_string(i) + "\nf 1 2 3\n";
+    text += "usemtl " + same + "2\nf 1 2 3\n";
+    const Scene scene = read(text);
+    EXPECT_EQ(scene.meshes.size(), 3001u);
+    ASSERT_EQ(scene.materials.size(), 2u);
+    EXPECT_EQ(scene.materials[0].name, std::string(128, 'x'));
+    EXPECT_EQ(read(kSquare + "o " + same + "\nf 1 2 3\n").objects.at(0).name,
+              std::string(128, 'x'));
+}
+
 TEST(Obj, Faults)
 {
     const auto fault = [](const std::string& text) { return fault_of(read_obj, text); };

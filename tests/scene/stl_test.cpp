@@ -42,7 +42,9 @@ TEST(Stl, WhatFollowsBinaryTrianglesIsPassedOver)
     for (const char* start : {"solid of a writer that knows no better", "any"}) {
         std::string text = binary({{kA, kB, kC}, {kA, kC, kD}}, start);
         text.replace(60, 1, 1, '\0');
-        expect_two_triangles(read_stl("a.stl", to_bytes(text + "\r\n")));
+        const Scene scene = read_stl("a.stl", to_bytes(text + "\r\n"));
+        expect_two_triangles(scene);
+        EXPECT_EQ(scene.ignored.at(0), "bytes behind the triangles: 2, not read");
     }
 }
 
@@ -99,10 +101,25 @@ TEST(Stl, SolidsAreMeshes)
     EXPECT_EQ(scene.meshes[1].positions, (std::vector<Float3>{kA, kC, kD}));
 }
 
+TEST(Stl, SolidsAreCounted)
+{
+    const std::string solid = "solid a\n" + facet({"0 0 0", "1 0 0", "0 1 0"}) + "endsolid a\n";
+    const Bytes two = to_bytes(solid + solid);
+    EXPECT_EQ(read_stl("a.stl", two, {.most_objects = 2}).objects.size(), 2u);
+    EXPECT_THROW(read_stl("a.stl", two, {.most_objects = 1}), Error);
+}
+
+TEST(Stl, LinesMayEndWithCarriageReturns)
+{
+    std::string text = "solid a\n" + facet({"0 0 0", "1 0 0", "0 1 0"}) + "endsolid a\n";
+    std::replace(text.begin(), text.end(), '\n', '\r');
+    EXPECT_EQ(read_stl("a.stl", to_bytes(text)).meshes.at(0).indices, (Indices{0, 1, 2}));
+}
+
 TEST(Stl, Faults)
 {
     const auto fault = [](const std::string& text) { return fault_of(read_stl, text); };
-    EXPECT_EQ(fault(""), "the file is cut short");
+    EXPECT_EQ(fault(""), "not an STL file, or one that is cut short");
     EXPECT_EQ(fault(binary({})), "the file holds no triangles");
     EXPECT_EQ(fault("solid a\nendsolid a\n"), "the file holds no triangles");
     EXPECT_EQ(fault("solid a\n" + facet({"0 0 0", "1 1 1"})),
@@ -118,10 +135,11 @@ TEST(Stl, Faults)
     // As many triangles as a word can say.
     std::string huge = binary({{kA, kB, kC}});
     huge.replace(80, 4, "\xff\xff\xff\xff");
-    EXPECT_EQ(fault(huge), "the file is cut short");
+    EXPECT_EQ(fault(huge), "not an STL file, or one that is cut short");
     const std::string whole = binary({{kA, kB, kC}});
     for (std::size_t size = 0; size < whole.size(); ++size) {
-        EXPECT_EQ(fault(whole.substr(0, size)), "the file is cut short") << size;
+        EXPECT_EQ(fault(whole.substr(0, size)), "not an STL file, or one that is cut short")
+            << size;
     }
 }
 

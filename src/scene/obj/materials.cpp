@@ -42,6 +42,11 @@ std::array<float, 6> transform_of(const Map& map)
     return {map.scale[0], 0, map.offset[0], 0, map.scale[1], 1 - map.scale[1] - map.offset[1]};
 }
 
+bool are_placed_alike(const Map& a, const Map& b)
+{
+    return a.scale == b.scale && a.offset == b.offset && a.clamp == b.clamp;
+}
+
 TextureImage with_size(const TextureImage& image, int width, int height)
 {
     const bool same = image.width == width && image.height == height;
@@ -59,29 +64,45 @@ std::uint32_t opacity_at(const TextureImage& image, bool in_alpha, std::size_t i
 
 namespace {
 
-std::optional<std::string> find_file(const std::string& base, std::string name, bool anywhere)
+struct Place {
+    const std::string &base, &beside;
+    bool anywhere;
+};
+
+std::optional<std::string> find_file(const Place& place, std::string name)
 {
     namespace fs = std::filesystem;
     if (name.find('\0') != std::string::npos) return std::nullopt;
     std::replace(name.begin(), name.end(), '\\', '/');
-    const fs::path folder = fs::path(base).parent_path();
+    const fs::path base = fs::path(place.base).parent_path();
+    const fs::path beside = fs::path(place.beside).parent_path();
     const fs::path whole = fs::path(name).lexically_normal();
     for (const fs::path& path : {whole, whole.filename()}) {
         if (path.empty()) continue;
-        if (!anywhere && !lies_below(folder, folder / path)) continue;
-        std::error_code ignored;
-        if (fs::is_regular_file(folder / path, ignored)) return (folder / path).string();
+        for (const fs::path* folder : {&beside, &base}) {
+            if (folder == &base && beside == base) continue;
+            const fs::path file = *folder / path;
+            if (!place.anywhere && !lies_below(base, file)) continue;
+            std::error_code ignored;
+            if (fs::is_regular_file(file, ignored)) return file.lexically_normal().string();
+        }
     }
     return std::nullopt;
 }
 
 }  // namespace
 
-const std::optional<std::string>& FileFinder::find(const std::string& name)
+const std::optional<std::string>& FileFinder::find(const std::string& name,
+                                                   const std::string& beside)
 {
-    const auto [entry, is_new] = known_.try_emplace(name);
-    if (is_new) entry->second = find_file(base_, name, anywhere_);
-    return entry->second;
+    static const std::optional<std::string> kNothing;
+    const std::pair key(beside, name);
+    if (const auto known = known_.find(key); known != known_.end()) return known->second;
+    if (known_.size() == most_names_) {
+        ++not_looked_for_;
+        return kNothing;
+    }
+    return known_[key] = find_file({base_, beside, anywhere_}, name);
 }
 
 Materials::Materials(std::string base, const LoadOptions& options, FileFinder& finder, Scene& scene,
@@ -108,9 +129,9 @@ std::uint32_t Materials::add(TextureImage image)
     return static_cast<std::uint32_t>(scene_.images.size() - 1);
 }
 
-std::optional<std::uint32_t> Materials::load(const std::string& name)
+std::optional<std::uint32_t> Materials::load(const std::string& name, const MtlMaterial& mtl)
 {
-    const std::optional<std::string> path = finder_.find(name);
+    const std::optional<std::string> path = finder_.find(name, mtl.path ? *mtl.path : base_);
     if (!path) {
         notes_.add(
             "image '" + gltf::in_one_line(name, kMostShown) + "', which is " + finder_.where_not(),
@@ -157,9 +178,9 @@ std::uint32_t Materials::with_opacity(std::optional<std::uint32_t> color, std::u
     return combined_[key] = add(std::move(image));
 }
 
-std::optional<Texture> Materials::texture(const Map& map)
+std::optional<Texture> Materials::texture(const Map& map, const MtlMaterial& mtl)
 {
-    const std::optional<std::uint32_t> image = load(map.file);
+    const std::optional<std::uint32_t> image = load(map.file, mtl);
     if (!image) return std::nullopt;
     Texture texture;
     texture.image = *image;
@@ -170,9 +191,12 @@ std::optional<Texture> Materials::texture(const Map& map)
 
 std::optional<Texture> Materials::base_color_texture(const MtlMaterial& mtl)
 {
-    std::optional<Texture> color = mtl.map_kd ? texture(*mtl.map_kd) : std::nullopt;
-    std::optional<Texture> opacity = mtl.map_d ? texture(*mtl.map_d) : std::nullopt;
+    std::optional<Texture> color = mtl.map_kd ? texture(*mtl.map_kd, mtl) : std::nullopt;
+    std::optional<Texture> opacity = mtl.map_d ? texture(*mtl.map_d, mtl) : std::nullopt;
     if (!opacity) return color;
+    if (color && !are_placed_alike(*mtl.map_kd, *mtl.map_d)) {
+        notes_.add("options of a map_d that a map_Kd does not have", "those of map_Kd count");
+    }
     const std::uint32_t image =
         with_opacity(color ? std::optional(color->image) : std::nullopt, opacity->image);
     if (!color) color = opacity;
@@ -191,8 +215,8 @@ Material Materials::make(const std::string& name, const MtlMaterial& mtl)
     material.metallic = mtl.pm.value_or(0);
     material.roughness = roughness_of(mtl);
     material.base_color_texture = base_color_texture(mtl);
-    if (mtl.norm) material.normal_texture = texture(*mtl.norm);
-    if (mtl.map_ke) material.emission_texture = texture(*mtl.map_ke);
+    if (mtl.norm) material.normal_texture = texture(*mtl.norm, mtl);
+    if (mtl.map_ke) material.emission_texture = texture(*mtl.map_ke, mtl);
     if (mtl.ke) material.emission = *mtl.ke;
     for (float& c : material.emission) c = std::min(c, kBrightest);
     if (material.emission_texture && is_black(material.emission)) material.emission = {1, 1, 1};

@@ -42,7 +42,7 @@ struct MapOption {
     bool numbers;    // which may be fewer
 };
 
-constexpr std::array<MapOption, 11> kMapOptions = {{{"-s", 3, true},
+constexpr std::array<MapOption, 12> kMapOptions = {{{"-s", 3, true},
                                                     {"-o", 3, true},
                                                     {"-t", 3, true},
                                                     {"-mm", 2, true},
@@ -52,6 +52,7 @@ constexpr std::array<MapOption, 11> kMapOptions = {{{"-s", 3, true},
                                                     {"-clamp", 1, false},
                                                     {"-blendu", 1, false},
                                                     {"-blendv", 1, false},
+                                                    {"-cc", 1, false},
                                                     {"-imfchan", 1, false}}};
 
 // Coordinates beyond have no digits left for texels.
@@ -146,12 +147,14 @@ void read_statement(std::string_view word, TextScanner& line, MtlMaterial& mater
 void read_mtl(const std::string& path, const Bytes& content, Library& library, gltf::Notes& notes)
 {
     TextScanner line(path, as_text(content));
+    const auto shared_path = std::make_shared<const std::string>(path);
     MtlMaterial* material = nullptr;
     while (line.next_line()) {
         const std::string_view word = line.word();
         if (word == "newmtl") {
             material = &library[std::string(line.rest())];
             *material = {};
+            material->path = shared_path;
         } else if (material != nullptr) {
             read_statement(word, line, *material, notes);
         }

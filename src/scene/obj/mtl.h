@@ -3,6 +3,7 @@
 
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -26,9 +27,10 @@ struct MtlMaterial {
     std::optional<float> ns;           // Blinn and Phong's exponent
     std::optional<float> pm, pr;       // metallic, roughness
     std::optional<Map> map_kd, map_d, map_ke, norm;
+    std::shared_ptr<const std::string> path;  // of the file that says it
 };
 
-using Library = std::map<std::string, MtlMaterial>;  // by name
+using Library = std::map<std::string, MtlMaterial, std::less<>>;  // by name
 
 // Adds a file's materials. Throws Error with Fault::input, "<path>: line <n>: <what>".
 void read_mtl(const std::string& path, const Bytes& content, Library& library, gltf::Notes& notes);

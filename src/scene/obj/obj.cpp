@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <map>
+#include <cmath>
 #include <numeric>
 #include <optional>
 #include <set>
@@ -25,6 +25,15 @@ namespace obj {
 namespace {
 
 constexpr std::size_t kMostShown = 60;  // of a name
+constexpr std::size_t kMaxName = 128;   // of a scene's, as in glTF
+constexpr std::uint32_t kNoMaterial = 0;
+
+std::string_view without_comment(std::string_view name)
+{
+    name = name.substr(0, name.find(" #"));
+    while (name.ends_with(' ') || name.ends_with('\t')) name.remove_suffix(1);
+    return name;
+}
 
 // The vertex that a position was made last, and the part that it was made in.
 struct Latest {
@@ -39,7 +48,8 @@ public:
           line_(path, as_text(content), LineJoin::backslash),
           finder_(path, options.allow_any_file)
     {
-        key_.name = name_of_file(path);
+        materials_.number_of("");  // kNoMaterial
+        key_.name = names_.number_of(name_of_file(path));
     }
 
     Scene read()
@@ -52,7 +62,15 @@ public:
         }
         if (scene_.meshes.empty()) fail_in_file(path_, "the file holds nothing that can be drawn");
         notes_.add(kUncutPolygons, kUncutBecause, cutter_.uncut());
+        if (attributes_.normals.empty()) {
+            notes_.add("smoothing groups without normals", "drawn flat", smoothed_);
+        }
         scene_.ignored = notes_.lines();
+        if (const std::size_t more = finder_.not_looked_for(); more > 0) {
+            scene_.ignored.push_back("files beyond the first " +
+                                     std::to_string(FileFinder::kMostNames) +
+                                     " names: " + std::to_string(more) + ", not looked for");
+        }
         return std::move(scene_);
     }
 
@@ -65,9 +83,9 @@ private:
             read_texcoord();
         } else if (word == "vn") {
             Float3 normal;
-            for (float& x : normal) x = line_.number();
+            for (float& x : normal) x = line_.to_any_number(line_.word());  // repaired later
             attributes_.normals.push_back(normal);
-        } else if (word == "f") {
+        } else if (word == "f" || word == "fo") {
             read_face();
         } else if (word == "l") {
             read_line();
@@ -78,12 +96,17 @@ private:
         } else if (word == "o" || word == "g") {
             read_name(word == "o");
         } else if (word == "usemtl") {
-            key_.material = std::string(line_.rest());
+            key_.material = materials_.number_of(line_.rest());
             current_ = {};
         } else if (word == "mtllib") {
             read_libraries();
         } else if (word == "curv" || word == "curv2" || word == "surf") {
             notes_.add("free-form curves and surfaces", "not drawn");
+        } else if (word == "s") {
+            const std::string_view group = argument();
+            smoothed_ += !group.empty() && group != "off" && group != "0";
+        } else if (!word.empty() && !word.starts_with('#')) {
+            notes_.add("statements called " + gltf::in_one_line(word, kMostShown), "not read");
         }
     }
 
@@ -118,9 +141,11 @@ private:
     // v goes up in the file, and may be left out.
     void read_texcoord()
     {
-        const float u = line_.number();
-        const std::string_view v = argument();
-        attributes_.texcoords.push_back({u, 1 - (v.empty() ? 0 : line_.to_number(v))});
+        const float u = line_.to_any_number(line_.word());
+        const std::string_view word = argument();
+        const float v = word.empty() ? 0 : line_.to_any_number(word);
+        const bool finite = std::isfinite(u) && std::isfinite(v);
+        attributes_.texcoords.push_back(finite ? Float2{u, 1 - v} : Float2{0, 0});
     }
 
     // One of a corner's numbers: from 1 on, or from -1 down for the last ones.
@@ -208,7 +233,7 @@ private:
         has_objects_ |= of_object;
         if (has_objects_ && !of_object) return;
         const std::string_view name = line_.rest();
-        key_.name = name.empty() ? name_of_file(path_) : std::string(name);
+        key_.name = names_.number_of(name.empty() ? name_of_file(path_) : name);
         current_ = {};
     }
 
@@ -219,6 +244,7 @@ private:
         if (finder_.find(all)) return read_library(all);
         std::string_view rest = all;
         while (!rest.empty()) {
+            if (rest.starts_with('#')) break;  // a comment
             const std::size_t end = std::min(rest.find_first_of(" \t"), rest.size());
             if (end > 0) read_library(std::string(rest.substr(0, end)));
             rest.remove_prefix(std::min(end + 1, rest.size()));
@@ -254,33 +280,47 @@ private:
         return parts_.all()[*current];
     }
 
+    // In the library, with its name there: null where there is none. A sign may begin a comment or
+    // be a part of a name ("Material #25").
+    const Library::value_type* in_library(std::uint32_t material)
+    {
+        const std::string& name = materials_[material];
+        auto found = library_.find(name);
+        if (found == library_.end()) found = library_.find(without_comment(name));
+        return found == library_.end() ? nullptr : &*found;
+    }
+
     // In Scene::materials.
     std::uint32_t material(const PartKey& key, Materials& materials)
     {
-        const auto found = library_.find(key.material);
         // Plain faces differ from plain lines and points.
-        const bool thin = found == library_.end() && key.topology != Topology::triangles;
-        const auto [entry, is_new] = material_numbers_.try_emplace(
-            {key.material, thin}, static_cast<std::uint32_t>(scene_.materials.size()));
-        if (!is_new) return entry->second;
-        if (found != library_.end()) {
-            scene_.materials.push_back(materials.make(key.material, found->second));
-        } else {
-            if (!key.material.empty() && !material_numbers_.contains({key.material, !thin})) {
-                notes_.add("materials that no library has", "drawn grey");
-            }
+        const bool thin = key.topology != Topology::triangles;
+        MaterialNumbers& numbers = material_numbers_[key.material];
+        if (numbers[thin]) return *numbers[thin];
+        const auto number = static_cast<std::uint32_t>(scene_.materials.size());
+        if (const Library::value_type* found = in_library(key.material)) {
             scene_.materials.push_back(
-                plain_material(key.material, !attributes_.colors.empty(), key.topology));
+                materials.make(gltf::in_one_line(found->first, kMaxName), found->second));
+            numbers = {number, number};
+            return number;
         }
-        return entry->second;
+        const std::string name = gltf::in_one_line(materials_[key.material], kMaxName);
+        if (key.material != kNoMaterial && !numbers[!thin]) {
+            notes_.add("materials that no library has", "drawn grey");
+        }
+        scene_.materials.push_back(plain_material(name, !attributes_.colors.empty(), key.topology));
+        numbers[thin] = number;
+        return number;
     }
 
     void place_parts()
     {
         Materials materials(path_, options_, finder_, scene_, notes_);
+        material_numbers_.resize(materials_.size());
         for (Part& p : parts_.all()) {
             if (p.indices.empty()) continue;
             Mesh mesh = to_mesh(p, attributes_, notes_);
+            mesh.name = gltf::in_one_line(names_[p.key.name], kMaxName);
             mesh.material = material(p.key, materials);
             place_mesh(scene_, std::move(mesh));
         }
@@ -308,6 +348,7 @@ private:
     gltf::Notes notes_;
     Attributes attributes_;
     Parts parts_;
+    Names names_, materials_;
     PartKey key_;                                        // of what comes next
     std::array<std::optional<std::size_t>, 3> current_;  // part, by topology
     bool has_objects_ = false;
@@ -318,7 +359,10 @@ private:
     FileFinder finder_;
     std::set<std::string> libraries_, missing_;  // read already; not found
     Library library_;
-    std::map<std::pair<std::string, bool>, std::uint32_t> material_numbers_;
+    std::size_t smoothed_ = 0;  // statements that begin a smoothing group
+    // In Scene::materials, by the material's name: of triangles, and of lines and points.
+    using MaterialNumbers = std::array<std::optional<std::uint32_t>, 2>;
+    std::vector<MaterialNumbers> material_numbers_;
 };
 
 }  // namespace

@@ -29,7 +29,6 @@ Mesh to_mesh(Part& part, const Attributes& attributes, gltf::Notes& notes)
     const bool colors = !attributes.colors.empty();
 
     Mesh mesh;
-    mesh.name = part.key.name;
     mesh.topology = part.key.topology;
     mesh.indices = std::move(part.indices);
     mesh.positions.reserve(corners.size());

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <vector>
 
@@ -21,9 +22,28 @@ struct Attributes {
     std::vector<Float3> normals;
 };
 
-// What decides to which mesh a face belongs.
+// Numbers for names, which may be of any length and stand in many keys: each is kept once.
+class Names {
+public:
+    std::uint32_t number_of(std::string_view name)
+    {
+        const auto known = numbers_.find(name);
+        if (known != numbers_.end()) return known->second;
+        const auto number = static_cast<std::uint32_t>(names_.size());
+        names_.push_back(&numbers_.emplace(name, number).first->first);
+        return number;
+    }
+    const std::string& operator[](std::uint32_t number) const { return *names_[number]; }
+    std::size_t size() const { return names_.size(); }
+
+private:
+    std::map<std::string, std::uint32_t, std::less<>> numbers_;
+    std::vector<const std::string*> names_;  // keys of numbers_
+};
+
+// What decides to which mesh a face belongs. Names are numbers.
 struct PartKey {
-    std::string name, material;
+    std::uint32_t name = 0, material = 0;
     Topology topology = Topology::triangles;
 
     bool operator<(const PartKey& other) const
@@ -55,7 +75,7 @@ private:
     std::map<PartKey, std::size_t> numbers_;
 };
 
-// Its name and all that is in the vertices; the material is left to do. Empties the part.
+// All that is in the vertices; name and material are left to do. Empties the part.
 Mesh to_mesh(Part& part, const Attributes& attributes, gltf::Notes& notes);
 
 }  // namespace sheer::obj
