@@ -285,7 +285,7 @@ public:
         add_all(same.own_, own_);
     }
 
-    void resolve(SampleColors& backdrop) { samples_->resolve(backdrop, functions_); }
+    void resolve(SampleColors& backdrop) override { samples_->resolve(backdrop, functions_); }
 
 private:
     void read()
