@@ -23,16 +23,16 @@ bool starts_with(std::span<const std::uint8_t> bytes, const std::array<std::uint
 }
 
 template <class Reader>
-TextureImage read_within(Reader& reader, const TextureLimits& limits)
+TextureImage read_within(Reader& reader, const std::string& what, const TextureLimits& limits)
 {
     const std::uint64_t width = reader.header().width, height = reader.header().height;
     const auto most = static_cast<std::uint64_t>(limits.most_size);
     if (width > most || height > most) {
-        reader.refuse("larger than " + std::to_string(most) + " texels");
+        throw Error(Fault::input, what + ": larger than " + std::to_string(most) + " texels");
     }
     if (width * height > limits.most_texels) {
-        reader.refuse("more than " + std::to_string(limits.most_texels) +
-                      " texels, which is what --most-texels leaves");
+        throw Error(Fault::input, what + ": more than " + std::to_string(limits.most_texels) +
+                                      " texels, which is what --most-texels leaves");
     }
     TextureImage image;
     image.width = static_cast<int>(width);
@@ -55,11 +55,11 @@ TextureImage decode_texture(const std::string& what, std::span<const std::uint8_
 {
     if (starts_with(bytes, kPngStart)) {
         PngReader reader(std::as_bytes(bytes), what, PngDepth::eight_bits);
-        return read_within(reader, limits);
+        return read_within(reader, what, limits);
     }
     if (starts_with(bytes, kJpegStart)) {
         JpegReader reader(bytes, what);
-        return read_within(reader, limits);
+        return read_within(reader, what, limits);
     }
     throw Error(Fault::input, what + ": neither a PNG nor a JPEG file");
 }

@@ -85,6 +85,10 @@ void PngReader::keep_error(png_structp png, png_const_charp text)
 bool PngReader::read_header(PngDepth depth)
 {
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    // What has no part in a picture is not unpacked, let alone kept: a few bytes of it may become
+    // megabytes, a thousand times.
+    static constexpr png_byte kSkipped[] = "tEXt\0zTXt\0iTXt\0sPLT\0pCAL\0eXIf";
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, kSkipped, sizeof kSkipped / 5);
     png_read_info(png_, info_);
     header_.width = png_get_image_width(png_, info_);
     header_.height = png_get_image_height(png_, info_);

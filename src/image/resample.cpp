@@ -1,5 +1,6 @@
 #include "image/resample.h"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -24,10 +25,20 @@ Between between(int i, int from, int to)
             static_cast<std::size_t>((first + 1) % from), at - below};
 }
 
+std::array<double, 256> make_linear_values()
+{
+    std::array<double, 256> values;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = linear_from_srgb(static_cast<double>(i) / 255.0);
+    }
+    return values;
+}
+
 }  // namespace
 
 TextureImage enlarged(const TextureImage& image, int width, int height)
 {
+    static const std::array<double, 256> linear = make_linear_values();
     TextureImage result;
     result.name = image.name;
     result.width = width;
@@ -35,8 +46,8 @@ TextureImage enlarged(const TextureImage& image, int width, int height)
     result.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     const auto row = static_cast<std::size_t>(image.width);
     const auto value = [&](std::size_t x, std::size_t y, std::size_t c) {
-        const double encoded = image.texels[y * row + x][c] / 255.0;
-        return c < 3 ? linear_from_srgb(encoded) : encoded;
+        const std::uint8_t encoded = image.texels[y * row + x][c];
+        return c < 3 ? linear[encoded] : encoded / 255.0;
     };
     auto* to = result.texels.data();
     for (int y = 0; y < height; ++y) {
