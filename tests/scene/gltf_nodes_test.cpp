@@ -25,6 +25,16 @@ std::string names(const Scene& scene)
     return names;
 }
 
+TEST(GltfNodes, CirclesWithoutAScene)
+{
+    Builder builder = nodes_with_a_mesh(4);
+    builder.json["nodes"][1]["children"] = {2};
+    builder.json["nodes"][2]["children"] = {1, 3};
+    const Scene scene = read(builder);
+    EXPECT_EQ(names(scene), "n0");
+    EXPECT_TRUE(notes(scene, "nodes in circles or below them: 3, not drawn"));
+}
+
 TEST(GltfNodes, ChoosesTheScene)
 {
     Builder builder = nodes_with_a_mesh(3);

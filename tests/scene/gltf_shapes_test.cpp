@@ -59,6 +59,21 @@ TEST(GltfMorph, ANodesWeightsGoBefore)
     EXPECT_EQ(second(2), (Float3{3, 1, 0}));
 }
 
+// Weights of their own make nodes read a mesh again: what they read is bounded, drawn or not.
+TEST(GltfMorph, PrimitivesReadAgainAreCounted)
+{
+    Builder builder = with_targets();
+    builder.json["meshes"][0]["primitives"].push_back({{"attributes", Json::object()}});
+    builder.json["nodes"] = Json::parse(
+        R"([{"mesh": 0}, {"mesh": 0}, {"mesh": 0, "weights": [0, 1]},
+            {"mesh": 0, "weights": [1, 0]}])");
+    builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3};
+    const std::string text = builder.text();
+    const Bytes content(text.begin(), text.end());
+    EXPECT_EQ(read_gltf("test.gltf", content, {.most_objects = 6}).objects.size(), 4u);
+    EXPECT_THROW(read_gltf("test.gltf", content, {.most_objects = 5}), Error);
+}
+
 TEST(GltfMorph, NormalsAndTangentsMoveToo)
 {
     Builder builder = one_triangle();

@@ -316,6 +316,20 @@ TEST(GltfTextures, ImagesOfTheSameBytesAreDecodedOnce)
     EXPECT_EQ(scene.materials[0].emission_texture->image, 0u);
 }
 
+TEST(GltfTextures, TheSchemeMayBeInCapitals)
+{
+    Builder builder = textured();
+    builder.json["images"][0] = {{"uri", "DATA:;base64," + base64(one_texel(1, 2, 3))}};
+    EXPECT_EQ(read(builder).images.size(), 1u);
+}
+
+TEST(GltfTextures, NamesThatAreTooLongAreCalledThat)
+{
+    Builder builder = textured();
+    builder.json["images"][0] = {{"uri", std::string(5000, 'a')}};
+    EXPECT_NE(fault_of(builder).find("is too long for a file's name"), std::string::npos);
+}
+
 TEST(GltfTextures, BoundsTexels)
 {
     Builder builder = textured();

@@ -2,6 +2,10 @@
 
 #include "gltf_fixture.h"
 
+#include <limits>
+
+#include "gltf_draco_file.h"
+
 #include <cmath>
 
 namespace sheer::test {
@@ -76,6 +80,92 @@ TEST(GltfVertices, ReadsTangents)
     // Without normals glTF wants tangents ignored.
     EXPECT_TRUE(
         read_with({1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, false).meshes.at(0).tangents.empty());
+}
+
+// Three primitives of three corners each among 3,000 vertices of which each reads its own.
+Builder with_shared_vertices()
+{
+    Builder builder;
+    const std::size_t positions = builder.accessor("VEC3", curve(3000));
+    std::vector<float> coordinates;
+    for (int i = 0; i < 3000; ++i)
+        coordinates.insert(coordinates.end(), {static_cast<float>(i), 0.5f});
+    const std::size_t texcoords = builder.accessor("VEC2", coordinates);
+    builder.primitive({{"POSITION", positions}, {"TEXCOORD_0", texcoords}});
+    Json& primitives = builder.json["meshes"][0]["primitives"];
+    const Json first = primitives[0];
+    primitives = Json::array();
+    for (const int start : {10, 500, 2996}) {
+        Json one = first;
+        const auto at = [&](int i) { return static_cast<std::uint16_t>(start + i); };
+        one["indices"] =
+            builder.accessor("SCALAR", std::vector<std::uint16_t>{at(3), at(0), at(1), at(3)});
+        builder.json["accessors"].back()["count"] = 3;
+        primitives.push_back(one);
+    }
+    return builder;
+}
+
+Scene read_with(const Builder& builder, const LoadOptions& options)
+{
+    const std::string text = builder.text();
+    return read_gltf("test.gltf", Bytes(text.begin(), text.end()), options);
+}
+
+TEST(GltfVertices, OnlyThoseThatAPrimitiveUsesAreRead)
+{
+    // For each primitive 3 indices, 3 positions and 3 pairs of coordinates.
+    const Builder builder = with_shared_vertices();
+    const Scene scene = read_with(builder, {.most_elements = 27});
+    EXPECT_THROW(read_with(builder, {.most_elements = 26}), Error);
+    ASSERT_EQ(scene.meshes.size(), 3u);
+    const Mesh& mesh = scene.meshes[1];
+    EXPECT_EQ(mesh.positions,
+              (std::vector<Float3>{{500, 250000, 0}, {501, 251001, 0}, {503, 253009, 0}}));
+    EXPECT_EQ(mesh.texcoords[0], (std::vector<Float2>{{500, 0.5f}, {501, 0.5f}, {503, 0.5f}}));
+    EXPECT_EQ(mesh.indices, (std::vector<std::uint32_t>{2, 0, 1}));
+}
+
+TEST(GltfVertices, AmongSharedOnesSparseOnesFindTheirPlaces)
+{
+    Builder builder = with_shared_vertices();
+    const std::size_t places = builder.view(std::vector<std::uint16_t>{501, 700, 2999});
+    const std::size_t values = builder.view(std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8, 9});
+    builder.json["accessors"][0]["sparse"] = {
+        {"count", 3},
+        {"indices", {{"bufferView", places}, {"componentType", 5123}}},
+        {"values", {{"bufferView", values}}}};
+    const Scene scene = read(builder);
+    EXPECT_EQ(scene.meshes.at(1).positions.at(1), (Float3{1, 2, 3}));
+    EXPECT_EQ(scene.meshes.at(2).positions.at(2), (Float3{7, 8, 9}));
+    EXPECT_EQ(scene.meshes.at(0).positions.at(0), (Float3{10, 100, 0}));
+}
+
+TEST(GltfVertices, FaultsOfSharedOnesNameTheFilesVertex)
+{
+    Builder builder = with_shared_vertices();
+    const float infinity = std::numeric_limits<float>::infinity();
+    std::memcpy(&builder.data[12 * 503], &infinity, sizeof infinity);
+    EXPECT_EQ(fault_of(builder), "test.gltf: accessors[0]: vertex 503 is infinite or not a number");
+    builder = with_shared_vertices();
+    builder.json["accessors"][1]["count"] = 2999;
+    EXPECT_NE(fault_of(builder).find("has 2999 elements, POSITION has 3000"), std::string::npos)
+        << fault_of(builder);
+}
+
+TEST(GltfDraco, TrianglesThatNoAccessorCountsAreCounted)
+{
+    Builder builder = draco_file::compressed(draco_file::make_grid(2), false);  // 8 triangles
+    Json& primitive = builder.json["meshes"][0]["primitives"][0];
+    primitive.erase("indices");
+    const std::size_t attributes =
+        primitive["extensions"]["KHR_draco_mesh_compression"]["attributes"].size();
+    const std::string text = builder.text();
+    const Bytes content(text.begin(), text.end());
+    LoadOptions options{.most_elements = 9 * attributes + 24};
+    EXPECT_EQ(read_gltf("test.gltf", content, options).meshes.size(), 1u);
+    --options.most_elements;
+    EXPECT_THROW(read_gltf("test.gltf", content, options), Error);
 }
 
 TEST(GltfVertices, NotesFurtherSets)

@@ -2,8 +2,8 @@
 // KHR_mesh_quantization allows for positions and normals.
 //
 // Opening an accessor proves that all its elements lie inside the data; reading then needs no
-// checks but of what the elements hold. All sizes are below 2^53 and counts below 2^28, so that no
-// sum or product here overflows 64 bits.
+// checks but of what the elements hold. All sizes and counts are below 2^53 and strides below 2^8,
+// so that no sum or product here overflows 64 bits.
 
 #include "scene/gltf/accessor.h"
 
@@ -119,9 +119,9 @@ std::size_t sparse_index(const Accessor& accessor, std::size_t i)
         return unsigned_at(sparse.indices.data + k * sparse.indices.stride, sparse.index_type);
     };
     const std::uint32_t index = index_at(i);
-    if (index >= accessor.count) {
+    if (index >= accessor.total) {
         accessor.value.fail("sparse.indices: element " + std::to_string(index) + " of " +
-                            std::to_string(accessor.count));
+                            std::to_string(accessor.total));
     }
     if (i > 0 && index <= index_at(i - 1)) {
         accessor.value.fail("sparse.indices: must grow from one to the next");
@@ -138,7 +138,7 @@ bool is_unsigned(ComponentType type)
 void open_sparse(Import& import, const Value& sparse, Accessor& accessor)
 {
     const std::uint64_t count = sparse.member("count").whole();
-    if (count > accessor.count) sparse.member("count").fail("is larger than the accessor's");
+    if (count > accessor.total) sparse.member("count").fail("is larger than the accessor's");
     const Value indices = sparse.member("indices");
     SparseElements& result = accessor.sparse;
     result.count = static_cast<std::size_t>(count);
@@ -151,17 +151,27 @@ void open_sparse(Import& import, const Value& sparse, Accessor& accessor)
 
 }  // namespace
 
-Accessor describe_accessor(Import& import, const Value& reference)
+void count_elements(Import& import, const Value& owner, std::uint64_t count)
+{
+    const std::uint64_t most = import.options.most_elements;
+    if (count > most || import.elements + count > most) {
+        owner.fail("more elements than --most-elements allows (" + std::to_string(most) + ")");
+    }
+    import.elements += count;
+}
+
+Accessor describe_accessor(Import& import, const Value& reference, const Places* chosen)
 {
     const Value value = import.document.item("accessors", reference);
     Accessor accessor{value};
     const std::uint64_t count = value.member("count").whole();
-    const std::uint64_t most = import.options.most_elements;
-    if (count > most || import.elements + count > most) {
-        value.fail("more elements than --most-elements allows (" + std::to_string(most) + ")");
+    count_elements(import, value, chosen == nullptr ? count : chosen->size());
+    accessor.total = static_cast<std::size_t>(count);
+    if (chosen != nullptr && !chosen->empty() && chosen->back() >= count) {
+        reference.fail("has " + std::to_string(count) + " elements, POSITION has more");
     }
-    import.elements += count;
-    accessor.count = static_cast<std::size_t>(count);
+    accessor.chosen = chosen;
+    accessor.count = chosen == nullptr ? accessor.total : chosen->size();
     accessor.width = read_width(value.member("type"));
     accessor.component = read_component_type(value.member("componentType"));
     accessor.normalized = truth_or(value, "normalized", false);
@@ -171,23 +181,27 @@ Accessor describe_accessor(Import& import, const Value& reference)
     return accessor;
 }
 
-Accessor open_accessor(Import& import, const Value& reference)
+Accessor open_accessor(Import& import, const Value& reference, const Places* chosen)
 {
-    Accessor accessor = describe_accessor(import, reference);
+    Accessor accessor = describe_accessor(import, reference, chosen);
     const Value& value = accessor.value;
-    const std::uint64_t count = accessor.count;
+    const std::uint64_t count = accessor.total;
     if (value.find("bufferView")) {
         accessor.elements =
             locate(import, value, {count, size_of(accessor.component) * accessor.width});
     } else {
         const std::uint64_t most = import.options.most_elements / kPartWithoutData;
-        import.elements_without_data += count;
+        import.elements_without_data += accessor.count;
         if (import.elements_without_data > most) {
             value.fail("more elements without a bufferView than a 256th of --most-elements (" +
                        std::to_string(most) + ")");
         }
     }
-    if (const auto sparse = value.find("sparse")) open_sparse(import, *sparse, accessor);
+    if (const auto sparse = value.find("sparse")) {
+        open_sparse(import, *sparse, accessor);
+        // All of them are looked through, however few were chosen.
+        if (chosen != nullptr) count_elements(import, value, accessor.sparse.count);
+    }
     return accessor;
 }
 
@@ -196,15 +210,21 @@ void read_floats(const Accessor& accessor, std::size_t pitch, float* out)
     const Elements& from = accessor.elements;
     for (std::size_t i = 0; i < accessor.count; ++i) {
         if (from.data != nullptr) {
-            read_element(accessor, from.data + i * from.stride, out + i * pitch);
+            read_element(accessor, from.data + place_of(accessor.chosen, i) * from.stride,
+                         out + i * pitch);
         } else {
             std::fill_n(out + i * pitch, accessor.width, 0.0f);
         }
     }
     const SparseElements& sparse = accessor.sparse;
     for (std::size_t i = 0; i < sparse.count; ++i) {
-        read_element(accessor, sparse.values.data + i * sparse.values.stride,
-                     out + sparse_index(accessor, i) * pitch);
+        std::size_t at = sparse_index(accessor, i);
+        if (const Places* chosen = accessor.chosen) {
+            const auto found = std::lower_bound(chosen->begin(), chosen->end(), at);
+            if (found == chosen->end() || *found != at) continue;
+            at = static_cast<std::size_t>(found - chosen->begin());
+        }
+        read_element(accessor, sparse.values.data + i * sparse.values.stride, out + at * pitch);
     }
 }
 

@@ -32,9 +32,16 @@ struct SparseElements {
     Elements values;
 };
 
+// Places in an accessor, growing.
+using Places = std::vector<std::uint32_t>;
+
 struct Accessor {
     Value value;
-    std::size_t count = 0;
+    std::size_t count = 0;  // elements that are read
+    std::size_t total = 0;  // that there are
+    // Of the elements that are read; null: all. Exporters put the vertices of many primitives into
+    // one accessor, and each primitive reads its own.
+    const Places* chosen = nullptr;
     std::size_t width = 0;  // components of an element
     ComponentType component = ComponentType::float32;
     bool normalized = false;
@@ -42,9 +49,19 @@ struct Accessor {
     SparseElements sparse = {};  // these stand in for some of `elements`
 };
 
+// Adds to Import::elements. `owner` is what asks for them.
+void count_elements(Import& import, const Value& owner, std::uint64_t count);
+
 // `reference` is the place that holds the accessor's number. What is described has no data yet.
-Accessor describe_accessor(Import& import, const Value& reference);
-Accessor open_accessor(Import& import, const Value& reference);
+// `chosen` must outlive what is returned; the accessor must be longer than its places say.
+Accessor describe_accessor(Import& import, const Value& reference, const Places* chosen = nullptr);
+Accessor open_accessor(Import& import, const Value& reference, const Places* chosen = nullptr);
+
+// Of the element that is read i-th.
+inline std::size_t place_of(const Places* chosen, std::size_t i)
+{
+    return chosen == nullptr ? i : (*chosen)[i];
+}
 
 // Element i goes to out[i * pitch] and the floats behind it; pitch >= accessor.width.
 void read_floats(const Accessor& accessor, std::size_t pitch, float* out);

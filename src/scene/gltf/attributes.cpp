@@ -17,7 +17,31 @@ Accessor open(const VertexSource& source, const std::string& name, const Value& 
         const auto decoded = source.draco->attributes.find(name);
         if (decoded != source.draco->attributes.end()) return decoded->second.accessor;
     }
-    return open_accessor(source.import, reference);
+    return open_accessor(source.import, reference, source.places());
+}
+
+// Sorting the indices costs less than reading more than a few times as many vertices.
+constexpr std::size_t kFew = 4;
+
+void choose_vertices(VertexSource& source)
+{
+    const auto indices = source.primitive.find("indices");
+    if (source.draco || !indices) return;
+    Import& import = source.import;
+    const Value position = import.document.item("accessors", source.attributes.member("POSITION"));
+    const std::uint64_t vertices = position.member("count").whole();
+    if (vertices > UINT32_MAX) return;  // which is refused soon
+    const std::uint64_t used = import.document.item("accessors", *indices).member("count").whole();
+    if (used >= vertices / kFew) return;
+    source.order =
+        read_indices(open_accessor(import, *indices), static_cast<std::size_t>(vertices));
+    Places& chosen = source.chosen.emplace(source.order);
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    for (std::uint32_t& index : source.order) {
+        const auto found = std::lower_bound(chosen.begin(), chosen.end(), index);
+        index = static_cast<std::uint32_t>(found - chosen.begin());
+    }
 }
 
 void read_positions(VertexSource& source, Mesh& mesh)
@@ -25,8 +49,9 @@ void read_positions(VertexSource& source, Mesh& mesh)
     const Accessor accessor = open(source, "POSITION", source.attributes.member("POSITION"));
     if (accessor.width != 3) accessor.value.fail("POSITION must be VEC3");
     mesh.positions = read_vectors<3>(accessor);
-    require_finite(accessor.value, mesh.positions);
+    require_finite(accessor, mesh.positions);
     source.count = mesh.positions.size();
+    source.total = accessor.total;
 }
 
 void read_normals(const VertexSource& source, Mesh& mesh)
@@ -54,7 +79,7 @@ void read_colors(const VertexSource& source, Mesh& mesh)
         accessor->value.fail("COLOR_0 must be VEC3 or VEC4 of floats or normalized integers");
     }
     mesh.colors = read_vectors<4>(*accessor, 1.0f);
-    require_finite(accessor->value, mesh.colors);
+    require_finite(*accessor, mesh.colors);
     for (Float4& color : mesh.colors) {
         for (float& component : color) component = std::clamp(component, 0.0f, 1.0f);
     }
@@ -81,26 +106,29 @@ void read_texcoords(const VertexSource& source, std::size_t set, Mesh& mesh)
 }  // namespace
 
 template <std::size_t N>
-void require_finite(const Value& where, const std::vector<std::array<float, N>>& elements)
+void require_finite(const Accessor& accessor, const std::vector<std::array<float, N>>& elements)
 {
     for (std::size_t i = 0; i < elements.size(); ++i) {
         for (const float component : elements[i]) {
             if (!std::isfinite(component)) {
-                where.fail("vertex " + std::to_string(i) + " is infinite or not a number");
+                accessor.value.fail("vertex " + std::to_string(place_of(accessor.chosen, i)) +
+                                    " is infinite or not a number");
             }
         }
     }
 }
 
-template void require_finite(const Value&, const std::vector<Float3>&);
-template void require_finite(const Value&, const std::vector<Float4>&);
+template void require_finite(const Accessor&, const std::vector<Float3>&);
+template void require_finite(const Accessor&, const std::vector<Float4>&);
 
 VertexSource open_vertices(Import& import, const Value& primitive)
 {
-    return {.import = import,
-            .primitive = primitive,
-            .attributes = primitive.member("attributes"),
-            .draco = decode_draco(import, primitive)};
+    VertexSource source{.import = import,
+                        .primitive = primitive,
+                        .attributes = primitive.member("attributes"),
+                        .draco = decode_draco(import, primitive)};
+    choose_vertices(source);
+    return source;
 }
 
 std::optional<Accessor> open_attribute(const VertexSource& source, const std::string& name)
@@ -108,9 +136,9 @@ std::optional<Accessor> open_attribute(const VertexSource& source, const std::st
     const auto reference = source.attributes.find(name);
     if (!reference) return std::nullopt;
     Accessor accessor = open(source, name, *reference);
-    if (accessor.count != source.count) {
-        reference->fail("has " + std::to_string(accessor.count) + " elements, POSITION has " +
-                        std::to_string(source.count));
+    if (accessor.total != source.total) {
+        reference->fail("has " + std::to_string(accessor.total) + " elements, POSITION has " +
+                        std::to_string(source.total));
     }
     return accessor;
 }
@@ -136,6 +164,7 @@ void read_vertices(VertexSource& source, Mesh& mesh)
 std::vector<std::uint32_t> read_vertex_order(const VertexSource& source)
 {
     if (source.draco) return source.draco->indices;
+    if (source.chosen) return source.order;
     if (const auto reference = source.primitive.find("indices")) {
         return read_indices(open_accessor(source.import, *reference), source.count);
     }

@@ -18,10 +18,19 @@ struct VertexSource {
     Value primitive;
     Value attributes;
     std::optional<DracoMesh> draco;  // where it has an attribute, the file's accessors have no say
-    std::size_t count = 0;           // of vertices, once positions are read
+    // Of the vertices in the file, where the primitive uses few of them: those that it reads, and
+    // its indices into these. Else all are read, and the indices when they are needed.
+    std::optional<Places> chosen = {};
+    std::vector<std::uint32_t> order = {};
+    std::size_t count = 0;  // of vertices that are read, once positions are
+    std::size_t total = 0;  // and of those in the file
+
+    const Places* places() const { return chosen ? &*chosen : nullptr; }
+    std::size_t number_of(std::size_t vertex) const { return place_of(places(), vertex); }
 };
 
-// The primitive must have POSITION.
+// The primitive must have POSITION. Its indices are read where it uses but a part of the vertices:
+// the time that it takes is that of the vertices that are used.
 VertexSource open_vertices(Import& import, const Value& primitive);
 
 // Nothing when there is no such attribute; else one of as many elements as there are positions.
@@ -36,9 +45,9 @@ std::vector<std::uint32_t> read_vertex_order(const VertexSource& source);
 
 // Fails with the number of the first vertex of which a component is infinite or not a number.
 template <std::size_t N>
-void require_finite(const Value& where, const std::vector<std::array<float, N>>& elements);
+void require_finite(const Accessor& accessor, const std::vector<std::array<float, N>>& elements);
 
-extern template void require_finite(const Value&, const std::vector<Float3>&);
-extern template void require_finite(const Value&, const std::vector<Float4>&);
+extern template void require_finite(const Accessor&, const std::vector<Float3>&);
+extern template void require_finite(const Accessor&, const std::vector<Float4>&);
 
 }  // namespace sheer::gltf

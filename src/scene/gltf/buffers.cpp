@@ -6,6 +6,7 @@
 #include "scene/gltf/buffers.h"
 
 #include <algorithm>
+#include <filesystem>
 
 #include "scene/gltf/meshopt.h"
 #include "scene/gltf/uri.h"
@@ -35,8 +36,12 @@ std::span<const std::uint8_t> Buffers::content(const Document& document, std::si
         bytes = decoded_[index] = decode_data_uri(*uri);
     } else {
         const std::string path = path_of_uri(*uri, document.path(), files_anywhere_);
-        if (!files_.contains(path)) files_[path] = read_referenced_file(*uri, path);
-        bytes = files_[path];
+        // However often and by whatever names, it is read once.
+        std::error_code fault;
+        std::string place = std::filesystem::weakly_canonical(path, fault).string();
+        if (fault) place = path;
+        if (!files_.contains(place)) files_[place] = read_referenced_file(*uri, path);
+        bytes = files_[place];
     }
     if (bytes.size() < declared)
         notes.add("buffers shorter than declared", "used as far as they go");

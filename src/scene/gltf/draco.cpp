@@ -91,9 +91,13 @@ struct Expected {
     std::uint64_t vertices = 0;
 };
 
-void check_counts(const Stream& stream, const Expected& expected)
+void check_counts(Import& import, const Stream& stream, const Expected& expected)
 {
     const Counts counts = read_counts(stream);
+    // Of those that are compared with an accessor its elements are counted.
+    if (!expected.indices) {
+        count_elements(import, stream.value, std::uint64_t{counts.triangles} * 3);
+    }
     const std::uint64_t most =
         std::max(kTrianglesOfAnySize, kTrianglesOfAByte * stream.bytes.size());
     if (counts.triangles > most) {
@@ -214,7 +218,7 @@ std::optional<DracoMesh> decode_draco(Import& import, const Value& primitive)
     for (const auto& [name, accessor] : described) {
         expected.vertices = std::max<std::uint64_t>(expected.vertices, accessor.count);
     }
-    check_counts(stream, expected);
+    check_counts(import, stream, expected);
     const std::unique_ptr<draco::Mesh> mesh = decode(stream);
     DracoMesh result{take_indices(stream, *mesh), {}};
     for (const auto& [name, accessor] : described) {

@@ -65,15 +65,18 @@ public:
 
     std::optional<std::uint32_t> number_of(std::uint32_t image)
     {
+        const auto [known, is_first] = by_image_.try_emplace(image);
+        if (!is_first) return known->second;
         const Value value = import_.document.item("images", image);
-        const auto [entry, is_new] = numbers_.try_emplace(source_of(value));
-        if (!is_new) return entry->second;
-        auto& images = import_.scene.images;
-        if (auto loaded = load(import_, value)) {
-            entry->second = static_cast<std::uint32_t>(images.size());
-            images.push_back(std::move(*loaded));
+        const auto [entry, is_new] = by_source_.try_emplace(source_of(value));
+        if (is_new) {
+            auto& images = import_.scene.images;
+            if (auto loaded = load(import_, value)) {
+                entry->second = static_cast<std::uint32_t>(images.size());
+                images.push_back(std::move(*loaded));
+            }
         }
-        return entry->second;
+        return known->second = entry->second;
     }
 
 private:
@@ -88,7 +91,9 @@ private:
     }
 
     Import& import_;
-    std::map<Source, std::optional<std::uint32_t>> numbers_;
+    // By the file's number first: uris may be as long as the file.
+    std::map<std::uint32_t, std::optional<std::uint32_t>> by_image_;
+    std::map<Source, std::optional<std::uint32_t>> by_source_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scene/gltf/import.h"
@@ -10,9 +11,9 @@
 namespace sheer::gltf {
 
 struct Shape {
-    std::vector<double> weights = {};  // of the morph targets; none: the base shape
-    const Skin* skin = nullptr;        // where it is, the mesh is put into the world
-    bool mirrored = false;             // the world's front of a skinned mesh is its back
+    std::span<const double> weights = {};  // of the morph targets; none: the base shape
+    const Skin* skin = nullptr;            // where it is, the mesh is put into the world
+    bool mirrored = false;                 // the world's front of a skinned mesh is its back
 };
 
 // Appends the mesh's primitives to the scene's meshes; which these are, in order. Primitives with

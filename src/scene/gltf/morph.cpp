@@ -21,19 +21,19 @@ std::vector<double> numbers_in(const Value& list)
 
 std::vector<Float3> read_target(const VertexSource& source, const Value& reference)
 {
-    const Accessor accessor = open_accessor(source.import, reference);
+    const Accessor accessor = open_accessor(source.import, reference, source.places());
     if (accessor.width != 3) accessor.value.fail("a morph target must be VEC3");
-    if (accessor.count != source.count) {
-        reference.fail("has " + std::to_string(accessor.count) + " elements, POSITION has " +
-                       std::to_string(source.count));
+    if (accessor.total != source.total) {
+        reference.fail("has " + std::to_string(accessor.total) + " elements, POSITION has " +
+                       std::to_string(source.total));
     }
     return read_vectors<3>(accessor);
 }
 
 // Adds the targets to the first three components of the elements.
 template <std::size_t N>
-void add_targets(const VertexSource& source, std::string_view name,
-                 const std::vector<double>& weights, std::vector<std::array<float, N>>& elements)
+void add_targets(const VertexSource& source, std::string_view name, std::span<const double> weights,
+                 std::vector<std::array<float, N>>& elements)
 {
     if (elements.empty()) return;
     const Value targets = source.primitive.member("targets");
@@ -49,7 +49,7 @@ void add_targets(const VertexSource& source, std::string_view name,
     }
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (!fits_floats(sums[i])) {
-            targets.fail(std::string(name) + " of vertex " + std::to_string(i) +
+            targets.fail(std::string(name) + " of vertex " + std::to_string(source.number_of(i)) +
                          " becomes infinite or not a number");
         }
         for (std::size_t k = 0; k < 3; ++k) elements[i][k] = static_cast<float>(sums[i][k]);
@@ -69,20 +69,17 @@ void note_others(const VertexSource& source, const Value& target)
 
 }  // namespace
 
-std::vector<double> morph_weights(const Value& mesh, const Value& node)
+std::vector<double> morph_weights(const Value& owner)
 {
-    std::vector<double> weights;
-    if (const auto own = node.find("weights")) {
-        weights = numbers_in(*own);
-    } else if (const auto common = mesh.find("weights")) {
-        weights = numbers_in(*common);
-    }
+    const auto given = owner.find("weights");
+    if (!given) return {};
+    std::vector<double> weights = numbers_in(*given);
     const bool is_moved =
         std::any_of(weights.begin(), weights.end(), [](double w) { return w != 0; });
     return is_moved ? weights : std::vector<double>();
 }
 
-void apply_morph(const VertexSource& source, const std::vector<double>& weights, Mesh& mesh)
+void apply_morph(const VertexSource& source, std::span<const double> weights, Mesh& mesh)
 {
     if (weights.empty()) return;
     const auto targets = source.primitive.find("targets");

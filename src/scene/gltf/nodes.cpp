@@ -5,6 +5,7 @@
 
 #include "scene/gltf/nodes.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "scene/gltf/materials.h"
@@ -152,6 +153,12 @@ std::vector<PlacedNode> place_nodes(Import& import)
         for (std::size_t c = children ? children->size() : 0; c > 0; --c) {
             reach(document.index_in("nodes", (*children)[c - 1]), here, own);
         }
+    }
+    // Where there are no scenes, all nodes are drawn but for those of circles.
+    if (document.count("scenes") == 0) {
+        const auto circling = std::count(reached.begin(), reached.end(), false);
+        import.notes.add("nodes in circles or below them", "not drawn",
+                         static_cast<std::size_t>(circling));
     }
     return placed;
 }

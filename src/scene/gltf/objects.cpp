@@ -40,9 +40,21 @@ public:
         }
     }
 
+    // Meshes are read again for other weights and for skins, whether anything of them is drawn.
+    void count_read(const Value& node, const Value& mesh)
+    {
+        primitives_ += mesh.member("primitives").size();
+        if (primitives_ > options_.most_objects) {
+            node.fail(
+                "more primitives, for each set of weights and each skin, than "
+                "--most-objects allows (" +
+                std::to_string(options_.most_objects) + ")");
+        }
+    }
+
 private:
     const LoadOptions& options_;
-    std::uint64_t objects_ = 0;
+    std::uint64_t objects_ = 0, primitives_ = 0;
     std::uint64_t triangles_ = 0;
 };
 
@@ -63,7 +75,10 @@ public:
         const auto instances = read_instances(import_, node);
         if (const Skin* skin = skin_of(node)) {
             if (instances) import_.notes.add("nodes with a skin and instances", "drawn once");
-            Shape shape = {weights_of(placed.number, mesh), skin, determinant(placed.world) < 0};
+            std::vector<double> own;
+            const Shape shape = {weights_of(placed.number, mesh, own), skin,
+                                 determinant(placed.world) < 0};
+            limits_.count_read(node, import_.document.item("meshes", mesh));
             const auto meshes = read_mesh(import_, import_.document.item("meshes", mesh), shape);
             add(node, placed.parent, meshes, {kIdentityMatrix, std::nullopt});
             return;
@@ -100,22 +115,43 @@ private:
         }
     }
 
-    // An animation's, or else the file's.
-    std::vector<double> weights_of(std::size_t node, std::size_t mesh) const
+    // Those that an animation gives, or null.
+    const std::vector<double>* posed_weights(std::size_t node) const
     {
-        const Document& document = import_.document;
         const auto pose = import_.poses.find(node);
-        if (pose != import_.poses.end() && pose->second.weights) return *pose->second.weights;
-        return morph_weights(document.item("meshes", mesh), document.item("nodes", node));
+        const bool is_posed = pose != import_.poses.end() && pose->second.weights;
+        return is_posed ? &*pose->second.weights : nullptr;
     }
 
-    const MeshNumbers& shared_meshes(std::size_t node, std::size_t number)
+    // An animation's, else the node's, which `own` then holds, else the mesh's, which are read
+    // once.
+    const std::vector<double>& weights_of(std::size_t number, std::size_t mesh,
+                                          std::vector<double>& own)
     {
+        if (const auto* posed = posed_weights(number)) return *posed;
+        const Value node = import_.document.item("nodes", number);
+        if (node.find("weights")) return own = morph_weights(node);
+        const auto [entry, is_new] = mesh_weights_.try_emplace(mesh);
+        if (is_new) entry->second = morph_weights(import_.document.item("meshes", mesh));
+        return entry->second;
+    }
+
+    const MeshNumbers& shared_meshes(std::size_t node_number, std::size_t number)
+    {
+        const Value node = import_.document.item("nodes", node_number);
+        const bool is_plain = !node.find("weights") && posed_weights(node_number) == nullptr;
+        if (const auto known = plain_meshes_.find(number); is_plain && known != plain_meshes_.end())
+            return *known->second;
         const Value mesh = import_.document.item("meshes", number);
-        const std::pair key(number, weights_of(node, number));
-        const auto known = meshes_.find(key);
-        if (known != meshes_.end()) return known->second;
-        return meshes_[key] = read_mesh(import_, mesh, {.weights = key.second});
+        std::vector<double> own;
+        const auto [entry, is_new] =
+            meshes_.try_emplace({number, weights_of(node_number, number, own)});
+        if (is_new) {
+            limits_.count_read(node, mesh);
+            entry->second = read_mesh(import_, mesh, {.weights = entry->first.second});
+        }
+        if (is_plain) plain_meshes_[number] = &entry->second;
+        return entry->second;
     }
 
     // Null when there is none that can be used.
@@ -133,6 +169,8 @@ private:
     Import& import_;
     std::vector<const Matrix*> worlds_;  // by the file's nodes
     std::map<std::pair<std::size_t, std::vector<double>>, MeshNumbers> meshes_;  // with weights
+    std::map<std::size_t, const MeshNumbers*> plain_meshes_;  // with the meshes' own weights
+    std::map<std::size_t, std::vector<double>> mesh_weights_;
     std::map<std::size_t, std::optional<Skin>> skins_;
     ObjectLimits limits_;
 };

@@ -70,7 +70,8 @@ std::vector<Weights> read_weights(const Accessor& accessor)
     for (std::size_t i = 0; i < weights.size(); ++i) {
         for (const float weight : weights[i]) {
             if (weight >= 0 && std::isfinite(weight)) continue;
-            accessor.value.fail("a weight of vertex " + std::to_string(i) +
+            accessor.value.fail("a weight of vertex " +
+                                std::to_string(place_of(accessor.chosen, i)) +
                                 " is negative, infinite or not a number");
         }
     }
@@ -102,8 +103,8 @@ Matrix blend(const VertexSource& source, const Skin& skin, const std::vector<Inf
     Matrix blended = {};
     const auto add = [&](std::uint32_t joint, double weight) {
         if (joint >= skin.joints.size()) {
-            source.attributes.fail("vertex " + std::to_string(i) + " hangs on joint " +
-                                   std::to_string(joint) + " of " +
+            source.attributes.fail("vertex " + std::to_string(source.number_of(i)) +
+                                   " hangs on joint " + std::to_string(joint) + " of " +
                                    std::to_string(skin.joints.size()));
         }
         for (std::size_t k = 0; k < 16; ++k) blended[k] += weight * skin.joints[joint][k];

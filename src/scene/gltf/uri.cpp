@@ -98,7 +98,12 @@ std::string_view scheme_of(std::string_view uri)
 
 bool is_data_uri(std::string_view uri)
 {
-    return uri.starts_with("data:");
+    constexpr std::string_view kScheme = "data:";
+    const auto is_same = [](char a, char b) {
+        return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+    };
+    return uri.size() >= kScheme.size() &&
+           std::equal(uri.begin(), uri.begin() + kScheme.size(), kScheme.begin(), is_same);
 }
 
 Bytes decode_data_uri(const Value& uri)
@@ -126,9 +131,12 @@ std::string path_of_uri(const Value& uri, const std::string& base, bool anywhere
     if (decoded.find('\0') != std::string::npos) uri.fail("a path cannot hold a zero byte");
     const fs::path as_decoded = folder / decoded;
     const fs::path as_written = folder / text;
-    std::error_code ignored;
-    const bool only_as_written =
-        !fs::exists(as_decoded, ignored) && fs::exists(as_written, ignored);
+    std::error_code ignored, fault;
+    const bool is_there = fs::exists(as_decoded, fault);
+    if (fault == std::errc::filename_too_long) {
+        uri.fail("\"" + in_one_line(text, 80) + "...\" is too long for a file's name");
+    }
+    const bool only_as_written = !is_there && fs::exists(as_written, ignored);
     const fs::path& path = only_as_written ? as_written : as_decoded;
     if (!anywhere && !lies_below(folder, path)) {
         uri.fail("\"" + in_one_line(text, 80) +
