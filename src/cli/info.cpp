@@ -29,6 +29,28 @@ constexpr Names<3> kLightKinds = {"directional", "point", "spot"};
 template <std::size_t N>
 using Counts = std::array<std::uint64_t, N>;
 
+struct Box {
+    bool filled = false;
+    Point low{}, high{};
+
+    void add(const Point& p)
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            low[i] = filled ? std::min(low[i], p[i]) : p[i];
+            high[i] = filled ? std::max(high[i], p[i]) : p[i];
+        }
+        filled = true;
+    }
+    bool holds(const Box& other) const
+    {
+        bool all = filled;
+        for (std::size_t i = 0; i < 3 && all; ++i) {
+            all = low[i] <= other.low[i] && other.high[i] <= high[i];
+        }
+        return all;
+    }
+};
+
 // Of objects, so that a mesh counts as often as it is drawn, but for the vertices of meshes.
 struct SceneCounts {
     Counts<3> materials{}, triangles{};                      // by alpha mode
@@ -37,8 +59,7 @@ struct SceneCounts {
     std::uint64_t vertices = 0, mesh_triangles = 0;
     std::uint64_t lines = 0, points = 0;  // pieces of lines
     std::uint64_t texels = 0;
-    bool bounded = false;
-    Point low{}, high{};  // of what is submitted, world space
+    Box bounds;  // of what is submitted, world space
 };
 
 constexpr std::uint64_t kBytesPerTexel = sizeof(TextureImage::texels[0]);
@@ -49,19 +70,66 @@ std::uint64_t sum(const Counts<N>& counts)
     return std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
 }
 
-void extend_bounds(SceneCounts& counts, const Mesh& mesh, const Mat4& m)
+Point transform(const Mat4& m, const Point& p)
 {
-    for (const std::uint32_t index : mesh.indices) {
-        const Float3& p = mesh.positions[index];
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double x =
-                double{m[i]} * p[0] + double{m[4 + i]} * p[1] + double{m[8 + i]} * p[2] + m[12 + i];
-            counts.low[i] = counts.bounded ? std::min(counts.low[i], x) : x;
-            counts.high[i] = counts.bounded ? std::max(counts.high[i], x) : x;
-        }
-        counts.bounded = true;
+    Point q;
+    for (std::size_t i = 0; i < 3; ++i) {
+        q[i] = double{m[i]} * p[0] + double{m[4 + i]} * p[1] + double{m[8 + i]} * p[2] + m[12 + i];
     }
+    return q;
 }
+
+Point point_of(const Float3& p)
+{
+    return {p[0], p[1], p[2]};
+}
+
+// Of a mesh turned and moved any number of times. An object whose mesh's box is inside already is
+// not looked at. The bounds are those of the vertices themselves, until so many were looked at that
+// the boxes' corners must do: that is a second or so.
+class BoundsOfObjects {
+public:
+    explicit BoundsOfObjects(const Scene& scene) : scene_(scene), boxes_(scene.meshes.size())
+    {
+        for (std::size_t i = 0; i < boxes_.size(); ++i) {
+            const Mesh& mesh = scene.meshes[i];
+            for (const std::uint32_t v : mesh.indices) boxes_[i].add(point_of(mesh.positions[v]));
+        }
+    }
+
+    void add(const Object& object)
+    {
+        const Box& box = boxes_[object.mesh];
+        if (!box.filled) return;
+        Box placed;
+        for (unsigned i = 0; i < 8; ++i) {
+            const Point corner = {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1],
+                                  (i & 4 ? box.high : box.low)[2]};
+            placed.add(transform(object.transform, corner));
+        }
+        if (all_.holds(placed)) return;
+        const Mesh& mesh = scene_.meshes[object.mesh];
+        looked_at_ += mesh.indices.size();
+        if (looked_at_ > kMostLookedAt) {
+            all_.add(placed.low);
+            all_.add(placed.high);
+            return;
+        }
+        for (const std::uint32_t v : mesh.indices) {
+            all_.add(transform(object.transform, point_of(mesh.positions[v])));
+        }
+    }
+
+    const Box& all() const { return all_; }
+
+private:
+    static constexpr std::uint64_t kMostLookedAt = std::uint64_t{1} << 27;
+
+    const Scene& scene_;
+    std::vector<Box> boxes_;  // of the meshes' vertices that are used
+    std::uint64_t looked_at_ = 0;
+    Box all_;
+};
 
 std::uint64_t triangles_of(const Mesh& mesh)
 {
@@ -90,11 +158,13 @@ SceneCounts count_scene(const Scene& scene)
         counts.vertices += mesh.positions.size();
         counts.mesh_triangles += triangles_of(mesh);
     }
+    BoundsOfObjects bounds(scene);
     for (const Object& object : scene.objects) {
         const Mesh& mesh = scene.meshes[object.mesh];
         count_object(counts, mesh, scene.materials[mesh.material]);
-        extend_bounds(counts, mesh, object.transform);
+        bounds.add(object);
     }
+    counts.bounds = bounds.all();
     return counts;
 }
 
@@ -124,7 +194,9 @@ Json info_json(const std::string& name, const Scene& scene)
                            {"type", camera.orthographic ? "orthographic" : "perspective"}});
     }
     Json bounds;
-    if (counts.bounded) bounds = {{"min", counts.low}, {"max", counts.high}};
+    if (counts.bounds.filled) {
+        bounds = {{"min", counts.bounds.low}, {"max", counts.bounds.high}};
+    }
     return {{"scene", name},
             {"objects", scene.objects.size()},
             {"meshes", scene.meshes.size()},
@@ -206,8 +278,9 @@ std::string info_text(const std::string& name, const Scene& scene)
         {"lights",
          scene.lights.empty() ? "none: a sun and a sky" : sum_text(counts.lights, kLightKinds)},
         {"cameras", cameras_text(scene)},
-        {"bounds", counts.bounded ? point_text(counts.low) + " to " + point_text(counts.high)
-                                  : "none: there is nothing to draw"},
+        {"bounds", counts.bounds.filled
+                       ? point_text(counts.bounds.low) + " to " + point_text(counts.bounds.high)
+                       : "none: there is nothing to draw"},
         {"ignored", scene.ignored.empty() ? "nothing" : ""},
     };
     std::string text = one_line(name) + "\n" + table.text();

@@ -37,10 +37,13 @@ std::string some_names(const Scene& scene)
         const bool known = std::find(names.begin(), names.end(), name) != names.end();
         if (!name.empty() && !known && names.size() <= kMost) names.push_back(name);
     };
+    std::vector<char> is_seen(scene.groups.size(), false);  // with all that are above
     for (const Object& object : scene.objects) {
+        if (names.size() > kMost) break;
         const Mesh& mesh = scene.meshes[object.mesh];
-        for (std::int32_t g = object.group; g >= 0;) {
+        for (std::int32_t g = object.group; g >= 0 && !is_seen[static_cast<std::size_t>(g)];) {
             const Group& group = scene.groups[static_cast<std::size_t>(g)];
+            is_seen[static_cast<std::size_t>(g)] = true;
             add(group.name);
             g = group.parent;
         }
