@@ -28,7 +28,7 @@ struct Shown {
 // One row of pictures, and parts of them.
 struct PictureRow {
     const char* name;
-    MomentScene scene;
+    EntryScene scene;
     const char* what;
     std::vector<Shown> shown;
     Crop crop;  // of 640x480 pixels
@@ -36,7 +36,7 @@ struct PictureRow {
 
 void add_row(const PictureRow& row, const ReproduceJob& job, double from, double part, Page& page)
 {
-    const std::string source = job.quick ? row.scene.quick_source : row.scene.source;
+    const std::string source = row.scene.of(job);
     const Scene scene = load(source);
     const View view = moment_view(job.quick);
     const Crop crop = job.quick ? Crop{16, 12, 24, 24} : row.crop;

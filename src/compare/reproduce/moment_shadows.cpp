@@ -16,13 +16,7 @@ namespace sheer {
 
 namespace {
 
-struct ShadowedScene {
-    const char* name;
-    const char* source;
-    const char* quick_source;
-};
-
-constexpr ShadowedScene kScenes[] = {
+constexpr EntryScene kScenes[] = {
     {"cloth", "builtin:cloth", "builtin:cloth?detail=1"},
     {"hair", "builtin:hair?strands=15000", "builtin:hair?strands=1000"},
     {"windy-hill", "builtin:windy-hill", "builtin:windy-hill?hairs=500&cards=200"},
@@ -64,9 +58,9 @@ Image draw(const Scene& scene, const View& view, const ReproduceJob& job, std::u
     return render(scene, view, options).image;
 }
 
-void add_scene(const ShadowedScene& of, const ReproduceJob& job, double& done, Page& page)
+void add_scene(const EntryScene& of, const ReproduceJob& job, double& done, Page& page)
 {
-    const Scene scene = load(job.quick ? of.quick_source : of.source);
+    const Scene scene = load(of.of(job));
     View view;
     view.width = job.quick ? 80 : 320;
     view.height = job.quick ? 60 : 240;
@@ -122,7 +116,7 @@ void reproduce_moment_shadows(const ReproduceEntry& entry, const ReproduceJob& j
         "red, green and blue, against shadows by rays; the map's resolution is part of them. "
         "Maps of moments are not random. Bytes are those of a GPU's textures.");
     double done = 0;
-    for (const ShadowedScene& of : kScenes) add_scene(of, job, done, page);
+    for (const EntryScene& of : kScenes) add_scene(of, job, done, page);
     page.write();
 }
 

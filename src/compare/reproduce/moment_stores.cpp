@@ -29,7 +29,7 @@ constexpr const char* kMethods[] = {
     "wavelet",
 };
 
-constexpr MomentScene kScenes[] = {
+constexpr EntryScene kScenes[] = {
     {"motor", "builtin:motor", "builtin:motor?detail=0.2"},
     {"hair", "builtin:hair?strands=15000", "builtin:hair?strands=500"},
     kBurningHouse,
@@ -47,13 +47,13 @@ std::vector<std::string> all_methods()
     return all;
 }
 
-void add_scene(const MomentScene& of, const ReproduceJob& job, double done, Page& page)
+void add_scene(const EntryScene& of, const ReproduceJob& job, double done, Page& page)
 {
     View view;
     view.width = job.quick ? 48 : 320;
     view.height = job.quick ? 36 : 240;
     view.samples = kSamples;
-    Scene scene = load(job.quick ? of.quick_source : of.source);
+    Scene scene = load(of.of(job));
     const Image exact = draw_method(scene, view, "exact", job.options);
     const std::vector<std::string> methods = all_methods();
     const auto progress = [&](double part) {
@@ -85,7 +85,7 @@ void reproduce_moment_stores(const ReproduceEntry& entry, const ReproduceJob& jo
              "and blue, against the exact picture of the same samples; bytes are those of the "
              "store here.");
     double done = 0;
-    for (const MomentScene& scene : kScenes) add_scene(scene, job, done++, page);
+    for (const EntryScene& scene : kScenes) add_scene(scene, job, done++, page);
     page.write();
 }
 

@@ -28,7 +28,7 @@ struct PaperTimes {
 };
 
 struct TableScene {
-    MomentScene scene;
+    EntryScene scene;
     std::array<PaperTimes, kCount> paper;
 };
 
@@ -162,7 +162,7 @@ void reproduce_moment_table_1(const ReproduceEntry& entry, const ReproduceJob& j
     add_memory(page);
     double done = 0;
     for (const TableScene& of : kScenes) {
-        Scene scene = load(job.quick ? of.scene.quick_source : of.scene.source);
+        Scene scene = load(of.scene.of(job));
         add_errors(scene, of, job, page);
         add_times(scene, of, job, done++, page);
     }

@@ -22,16 +22,10 @@ inline constexpr MomentTechnique kMomentTechniques[] = {
     {"TMP_LR", "moment:resolution=1/8:moment-passes=2", "12.625"},
 };
 
-struct MomentScene {
-    const char* name;
-    const char* source;
-    const char* quick_source;
-};
-
-inline constexpr MomentScene kBurningHouse = {"burning-house", "builtin:burning-house",
-                                              "builtin:burning-house?particles=200&grass=0.1"};
-inline constexpr MomentScene kGrassAndSmoke = {"grass-and-smoke", "builtin:grass-and-smoke",
-                                               "builtin:grass-and-smoke?particles=60"};
+inline constexpr EntryScene kBurningHouse = {"burning-house", "builtin:burning-house",
+                                             "builtin:burning-house?particles=200&grass=0.1"};
+inline constexpr EntryScene kGrassAndSmoke = {"grass-and-smoke", "builtin:grass-and-smoke",
+                                              "builtin:grass-and-smoke?particles=60"};
 
 // What is drawn of both.
 inline View moment_view(bool quick)

@@ -45,13 +45,7 @@ constexpr const char* kMethods[] = {
     "exact",
 };
 
-struct OrderedScene {
-    const char* name;
-    const char* source;
-    const char* quick_source;
-};
-
-constexpr OrderedScene kScenes[] = {
+constexpr EntryScene kScenes[] = {
     {"foliage", "builtin:foliage?alpha=0.5", "builtin:foliage?alpha=0.5"},
     {"motor", "builtin:motor", "builtin:motor?detail=0.2"},
 };
@@ -114,9 +108,9 @@ public:
         Table table{
             "Scenes' triangles as they are, from near to far, from far to near", {"method"}, {}};
         for (const char* method : kMethods) table.rows.push_back({words(method)});
-        for (const OrderedScene& ordered : kScenes) {
+        for (const EntryScene& ordered : kScenes) {
             table.columns.push_back(ordered.name);
-            const Scene scene = load(job_.quick ? ordered.quick_source : ordered.source);
+            const Scene scene = load(ordered.of(job_));
             const Scene scenes[] = {scene,
                                     with_sorted_triangles(scene, view, TriangleOrder::near_to_far),
                                     with_sorted_triangles(scene, view, TriangleOrder::far_to_near)};

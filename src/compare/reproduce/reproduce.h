@@ -21,6 +21,15 @@ struct ReproduceJob {
     std::function<void(const PageContent&)> done = {};
 };
 
+// A scene that an entry draws.
+struct EntryScene {
+    const char* name;  // in files' names and tables
+    const char* source;
+    const char* quick_source;
+
+    const char* of(const ReproduceJob& job) const { return job.quick ? quick_source : source; }
+};
+
 // Writes NAME.md, the tables as one reads them, NAME.json, the same with all digits, and what
 // pictures belong to it. Throws Error as `render` and `write_image` do.
 struct ReproduceEntry {

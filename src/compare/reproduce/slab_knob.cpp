@@ -33,16 +33,10 @@ constexpr const char* kFaintPlates =
 constexpr const char* kDensePlates =
     "builtin:layers?n=2&alpha=0.98&color=1,0,0;0,1,0&background=0.5,0.5,0.5";
 
-struct KnobScene {
-    const char* name;
-    const char* source;
-    const char* quick_source;
-};
-
 // The talk's two: all surfaces half transparent; the inside of a car, faint and nearly opaque. That
 // is part within part, for which the motor stands, casings within casings, seen from close; and a
 // dashboard behind a door, for which two plates do.
-constexpr KnobScene kScenes[] = {
+constexpr EntryScene kScenes[] = {
     {"foliage", "builtin:foliage?alpha=0.5", "builtin:foliage?alpha=0.5"},
     {"motor-0.4", "builtin:motor?alpha=0.4", "builtin:motor?alpha=0.4&detail=0.2"},
     {"motor-0.98", "builtin:motor?alpha=0.98", "builtin:motor?alpha=0.98&detail=0.2"},
@@ -97,9 +91,9 @@ public:
     int seeds() const { return seeds_; }
     int side() const { return view_.width; }
 
-    void turn(const KnobScene& scene)
+    void turn(const EntryScene& scene)
     {
-        source_ = job_.quick ? scene.quick_source : scene.source;
+        source_ = scene.of(job_);
         const Scene loaded = load(source_);
         const Image exact = draw_method(loaded, view_, "exact", job_.options);
         Table errors{source_, {"form", "k", "b", "rmse", "noise", "bias", "z"}, {}};
@@ -243,7 +237,7 @@ void reproduce_slab_knob(const ReproduceEntry& entry, const ReproduceJob& job)
         "those behind the last layer too, as far as the layers let them be seen. Charts have "
         "logarithmic axes, on which what is 0 (the noise of infinity, biases of b = k) has no "
         "place: the tables have it.");
-    for (const KnobScene& scene : kScenes) knob.turn(scene);
+    for (const EntryScene& scene : kScenes) knob.turn(scene);
     page.say(
         "Below, what implicit coverage, opacities and the chance of a mask, makes of the same: "
         "the mean difference of the mean pictures, over all pixels and channels, its root mean "

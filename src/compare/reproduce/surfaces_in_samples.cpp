@@ -28,13 +28,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr int kSamples[] = {4, 8, 16, 32, 64};
 constexpr int kLayers = 16;  // of the scene whose answer is known
 
-struct CountedScene {
-    const char* name;
-    const char* source;
-    const char* quick_source;
-};
-
-constexpr CountedScene kScenes[] = {
+constexpr EntryScene kScenes[] = {
     {"layers", "builtin:layers?n=16&alpha=0.5", "builtin:layers?n=16&alpha=0.5"},
     {"foliage", "builtin:foliage?alpha=0.5", "builtin:foliage?alpha=0.5"},
     {"motor-0.3", "builtin:motor?alpha=0.3", "builtin:motor?alpha=0.3&detail=0.2"},
@@ -175,7 +169,7 @@ struct Counts {
     }
 };
 
-void add_counts(const CountedScene& scene, int samples, const Counts& counts, Table& table,
+void add_counts(const EntryScene& scene, int samples, const Counts& counts, Table& table,
                 Table& histogram, Series& line)
 {
     const bool known = scene.name == std::string("layers");
@@ -211,8 +205,8 @@ void reproduce_surfaces_in_samples(const ReproduceEntry& entry, const ReproduceJ
     Table histogram{"Histogram", {"scene", "S", "surfaces", "part of pixels"}, {}};
     std::string depths;
     double done = 0;
-    for (const CountedScene& scene : kScenes) {
-        const std::string source = job.quick ? scene.quick_source : scene.source;
+    for (const EntryScene& scene : kScenes) {
+        const std::string source = scene.of(job);
         Surfaces surfaces(view);
         const std::vector<Take> takes = {{.method = choose_method("none"), .keys = {key}}};
         render_takes(load(source), view, job.options, {.takes = takes, .sink = &surfaces});
