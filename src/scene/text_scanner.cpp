@@ -35,8 +35,9 @@ std::errc parse(std::string_view word, T& value)
 
 }  // namespace
 
-TextScanner::TextScanner(std::string path, std::string_view text, LineJoin join)
-    : path_(std::move(path)), text_(text), join_(join)
+TextScanner::TextScanner(std::string path, std::string_view text, LineJoin join,
+                         std::size_t lines_before)
+    : path_(std::move(path)), text_(text), join_(join), line_number_(lines_before)
 {
     if (text_.starts_with("\xfe\xff") || text_.starts_with("\xff\xfe")) {
         fail_in_file(path_, "UTF-16 text is not supported, only UTF-8 is");

@@ -20,8 +20,10 @@ enum class LineJoin { none, backslash };
 
 class TextScanner {
 public:
-    // `text` must outlive the scanner; `path` is for messages. Fails where the text is UTF-16.
-    TextScanner(std::string path, std::string_view text, LineJoin join = LineJoin::none);
+    // `text` must outlive the scanner; `path` is for messages, and so is how many lines of the file
+    // come before the text. Fails where the text is UTF-16.
+    TextScanner(std::string path, std::string_view text, LineJoin join = LineJoin::none,
+                std::size_t lines_before = 0);
 
     // Goes to the start of the next line; false at the end of the text. A line ends with a line
     // feed, or a carriage return and one; in texts without any line feed, with a carriage return.

@@ -205,6 +205,19 @@ TEST(Ply, HeadersOfCarriageReturns)
     EXPECT_EQ(read(text + "\n\n\r").meshes[0].positions, (std::vector<Float3>{{10, 10, 13}}));
 }
 
+// Programs that append to a file of others end lines in their own way.
+TEST(Ply, RowsNeedNotEndAsTheHeaderDoes)
+{
+    std::string header = ascii(vertices(3) + faces(1), "");
+    std::replace(header.begin(), header.end(), '\n', '\r');
+    const std::vector<Float3> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    for (const std::string rows :
+         {"0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n", "0 0 0\r1 0 0\r0 1 0\r3 0 1 2\r\n",
+          "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2"}) {
+        EXPECT_EQ(read(header + rows).meshes[0].positions, corners) << rows;
+    }
+}
+
 TEST(Ply, StripsEndAtMinusOne)
 {
     const std::string elements =

@@ -162,7 +162,10 @@ void play(Import& import, const Value& channel, const Value& samplers, Poses& po
 {
     const Value target = channel.member("target");
     const auto node = target.find("node");
-    if (!node) return;  // an extension's
+    if (!node) {  // an extension's
+        import.notes.add("animations of other things than nodes and weights", "not played");
+        return;
+    }
     NodePose& pose = poses[import.document.index_in("nodes", *node)];
     const std::string path = target.member("path").text();
     const Value number = channel.member("sampler");

@@ -30,7 +30,7 @@ constexpr std::uint32_t kNoMaterial = 0;
 
 std::string_view without_comment(std::string_view name)
 {
-    name = name.substr(0, name.find(" #"));
+    name = name.substr(0, std::min(name.find(" #"), name.find("\t#")));
     while (name.ends_with(' ') || name.ends_with('\t')) name.remove_suffix(1);
     return name;
 }

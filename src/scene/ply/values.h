@@ -67,14 +67,12 @@ private:
     bool swap_;
 };
 
-// Writers put rows on lines, readers need not care.
+// Writers put rows on lines, readers need not care; nor whether these end as the header's do.
 class TextValues {
 public:
     TextValues(const std::string& path, std::string_view file, const Header& header)
-        : line_(path, file)
+        : line_(path, file.substr(header.size), LineJoin::none, header.lines)
     {
-        while (line_.line_number() < header.lines) line_.next_line();
-        line_.rest();
     }
 
     double next(Type)
