@@ -248,6 +248,8 @@ void run_compare(CompareRequest request)
 {
     check_request(request);
     drop_repeated(request);
+    request.given.view = view_of_film(request.scene, request.film, request.given.view,
+                                      request.given.options.memory_limit);
     const int last = request.film.frames ? request.film.frames->last : 0;
     const Scene scene =
         scene_of_frame(request.scene, request.film, last, request.given.options.memory_limit);

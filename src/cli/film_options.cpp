@@ -3,6 +3,7 @@
 
 #include "cli/values.h"
 #include "cli/view_options.h"
+#include "scene/camera_path.h"
 
 namespace sheer {
 
@@ -105,6 +106,14 @@ void add_film_options(CLI::App& command, FilmOptions& given)
     for (const char* other : {"--camera", "--eye", "--target", "--fov"}) {
         path->excludes(command.get_option(other));
     }
+}
+
+View view_of_film(const SceneOptions& source, const FilmOptions& film, const View& view,
+                  std::uint64_t memory_limit)
+{
+    if (!film.fps || view.eye || !film.path.keys.empty()) return view;
+    const Scene scene = scene_of_frame(source, film, 0, memory_limit);
+    return scene.cameras.empty() ? standing_view(scene, view) : view;
 }
 
 View view_of_frame(const Scene& scene, const View& view, const FilmOptions& film, int frame)

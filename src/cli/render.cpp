@@ -143,10 +143,11 @@ void check_path(const Scene& scene, const RenderRequest& request)
     }
 }
 
-void run_render(const RenderRequest& request)
+void run_render(RenderRequest request)
 {
     check_request(request);
     const std::uint64_t limit = request.given.options.memory_limit;
+    request.given.view = view_of_film(request.scene, request.film, request.given.view, limit);
     const FrameRange range = request.frames();
     Scene scene = scene_of_frame(request.scene, request.film, range.first, limit);
     check_path(scene, request);

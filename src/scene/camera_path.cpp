@@ -91,6 +91,15 @@ CameraKey camera_of(const Scene& scene, const View& view)
     return key;
 }
 
+View seen_by(const CameraKey& camera, View view)
+{
+    view.camera.clear();
+    view.eye = camera.eye;
+    view.target = camera.target;
+    view.fov = camera.fov;
+    return view;
+}
+
 double part_of(const CameraPath& path, int frame)
 {
     if (path.last <= path.first) return 0;
@@ -155,12 +164,12 @@ View view_of_frame(const Scene& scene, const View& view, const CameraPath& path,
         throw Error(Fault::input, "camera path: in frame " + std::to_string(frame) +
                                       " the eye is the same point as the target");
     }
-    View result = view;
-    result.camera.clear();
-    result.eye = camera.eye;
-    result.target = camera.target;
-    result.fov = camera.fov;
-    return result;
+    return seen_by(camera, view);
+}
+
+View standing_view(const Scene& scene, const View& view)
+{
+    return seen_by(camera_of(scene, view), view);
 }
 
 }  // namespace sheer

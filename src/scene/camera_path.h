@@ -18,4 +18,8 @@ CameraKey between_keys(std::span<const CameraKey> keys, double frame);
 // equal parts.
 CameraKey along_path(const CameraPath& path, const CameraKey& start, double part);
 
+// The view with eye, target and fov of the camera that `render` would take for the scene; so it
+// stands still when the scene moves.
+View standing_view(const Scene& scene, const View& view);
+
 }  // namespace sheer

@@ -103,12 +103,15 @@ TEST_F(RenderFilmTest, PlaysAnimations)
         {{"channels", {{{"sampler", 0}, {"target", {{"node", 0}, {"path", "translation"}}}}}},
          {"samplers", {{{"input", times}, {"output", places}}}}}};
     std::ofstream(tool_.file("a.gltf")) << builder.text();
-    const auto draw = [&](Words added) {
-        Words words = {"render", "a.gltf", "--size", "24x16",    "--method",
-                       "blend",  "--eye",  "1,1,9",  "--target", "1,1,0"};
+    const auto draw_framed = [&](const Words& added) {
+        Words words = {"render", "a.gltf", "--size", "24x16", "--method", "blend"};
         words.insert(words.end(), added.begin(), added.end());
         const Outcome outcome = tool_.run(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    };
+    const auto draw = [&](Words added) {
+        for (const char* word : {"--eye", "1,1,9", "--target", "1,1,0"}) added.push_back(word);
+        draw_framed(added);
     };
     draw({"-o", "a.#.exr", "--frames", "0..2", "--fps", "2"});
     draw({"-o", "still.exr"});
@@ -117,6 +120,12 @@ TEST_F(RenderFilmTest, PlaysAnimations)
     EXPECT_NE(file("a.1.exr"), file("a.0.exr"));
     EXPECT_EQ(file("a.2.exr"), file("late.exr"));
     EXPECT_NE(file("late.exr"), file("a.1.exr"));
+    // Without a camera all frames have that of frame 0, whichever are drawn.
+    draw_framed({"-o", "b.#.exr", "--frames", "0..2", "--fps", "2"});
+    draw_framed({"-o", "c.#.exr", "--frames", "2..2", "--fps", "2"});
+    EXPECT_NE(file("b.1.exr"), file("b.0.exr"));
+    EXPECT_NE(file("b.2.exr"), file("b.1.exr"));
+    EXPECT_EQ(file("c.2.exr"), file("b.2.exr"));
 }
 
 TEST_F(RenderFilmTest, SaysWhatIsWrong)
