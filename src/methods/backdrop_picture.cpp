@@ -26,51 +26,58 @@ Float4 mixed(const Float4& a, const Float4& b, float part)
     return mean;
 }
 
-// Pixels first, first + 1, ... of a row or column, which is `count` long, and their weights. The
-// last ones go on beyond the ends.
+// A row or column: pixels 0 to count - 1, and as many more before and behind as the margin has. The
+// last of these go on.
+struct Line {
+    int count, margin;
+};
+
+// Pixels first, first + 1, ... and their weights.
 template <int N>
 struct Taps {
-    std::size_t place[N];
+    std::size_t place[N];  // from the margin's first
     float weight[N];
 
-    Taps(int first, int count, const float (&weights)[N])
+    Taps(int first, const Line& line, const float (&weights)[N])
     {
         for (int i = 0; i < N; ++i) {
-            place[i] = static_cast<std::size_t>(std::clamp(first + i, 0, count - 1));
+            const int pixel = std::clamp(first + i, -line.margin, line.count - 1 + line.margin);
+            place[i] = static_cast<std::size_t>(pixel + line.margin);
             weight[i] = weights[i];
         }
     }
 };
 
-// The pixel that holds place x of so many: beyond the ends, those next to them.
-int pixel_at(float x, int count)
+// The pixel that holds place x: beyond the ends, those next to them.
+int pixel_at(float x, const Line& line)
 {
-    return static_cast<int>(std::floor(std::clamp(x, -1.0f, static_cast<float>(count))));
+    const auto end = static_cast<float>(line.count + line.margin);
+    return static_cast<int>(std::floor(std::clamp(x, static_cast<float>(-line.margin - 1), end)));
 }
 
-Taps<3> spline_taps(float x, int count)
+Taps<3> spline_taps(float x, const Line& line)
 {
-    const int pixel = pixel_at(x, count);
+    const int pixel = pixel_at(x, line);
     const float f =
         std::clamp(x - static_cast<float>(pixel) - 0.5f, -0.5f, 0.5f);  // from its centre
     const float before = 0.5f * (0.5f - f) * (0.5f - f), after = 0.5f * (0.5f + f) * (0.5f + f);
-    return {pixel - 1, count, {before, 1 - before - after, after}};
+    return {pixel - 1, line, {before, 1 - before - after, after}};
 }
 
-Taps<2> linear_taps(float x, int count)
+Taps<2> linear_taps(float x, const Line& line)
 {
-    const int pixel = pixel_at(x - 0.5f, count);
+    const int pixel = pixel_at(x - 0.5f, line);
     const float f = std::clamp(x - 0.5f - static_cast<float>(pixel), 0.0f, 1.0f);
-    return {pixel, count, {1 - f, f}};
+    return {pixel, line, {1 - f, f}};
 }
 
 template <int N>
-Float4 sum_of(const std::vector<Float4>& pixels, int width, const Taps<N>& columns,
+Float4 sum_of(const std::vector<Float4>& pixels, std::size_t in_row, const Taps<N>& columns,
               const Taps<N>& rows)
 {
     Float4 sum = {};
     for (int j = 0; j < N; ++j) {
-        const Float4* row = pixels.data() + rows.place[j] * static_cast<std::size_t>(width);
+        const Float4* row = pixels.data() + rows.place[j] * in_row;
         Float4 of_row = {};
         for (int i = 0; i < N; ++i) add(of_row, columns.weight[i], row[columns.place[i]]);
         add(sum, rows.weight[j], of_row);
@@ -83,28 +90,30 @@ Float4 sum_of(const std::vector<Float4>& pixels, int width, const Taps<N>& colum
 BackdropPicture::BackdropPicture(int width, int height, Scale scale)
     : scale_(scale), nearness_(pixels_of(width, height))
 {
-    levels_.push_back({width, height, std::vector<Float4>(pixels_of(width, height))});
+    levels_.push_back({width, height, 0, std::vector<Float4>(pixels_of(width, height))});
 }
 
 std::uint64_t BackdropPicture::bytes(int width, int height)
 {
-    std::uint64_t bytes = pixels_of(width, height) * sizeof(float);
-    for (;; width = (width + 1) / 2, height = (height + 1) / 2) {
-        bytes += pixels_of(width, height) * sizeof(Float4);
-        if (width == 1 && height == 1) return bytes;
+    std::uint64_t bytes = pixels_of(width, height) * (sizeof(float) + sizeof(Float4));
+    while (width > 1 || height > 1) {
+        width = (width + 1) / 2;
+        height = (height + 1) / 2;
+        bytes += pixels_of(width + 2 * kMargin, height + 2 * kMargin) * sizeof(Float4);
     }
+    return bytes;
 }
 
 BackdropPicture::Level BackdropPicture::half_of(const Level& level)
 {
     constexpr float kWeights[] = {0.125f, 0.375f, 0.375f, 0.125f};
-    Level half{(level.width + 1) / 2, (level.height + 1) / 2};
-    half.pixels.reserve(pixels_of(half.width, half.height));
-    for (int y = 0; y < half.height; ++y) {
-        const Taps<4> rows(2 * y - 1, level.height, kWeights);
-        for (int x = 0; x < half.width; ++x) {
-            const Taps<4> columns(2 * x - 1, level.width, kWeights);
-            half.pixels.push_back(sum_of(level.pixels, level.width, columns, rows));
+    Level half{(level.width + 1) / 2, (level.height + 1) / 2, kMargin};
+    half.pixels.reserve(pixels_of(half.width + 2 * kMargin, half.height + 2 * kMargin));
+    for (int y = -kMargin; y < half.height + kMargin; ++y) {
+        const Taps<4> rows(2 * y - 1, {level.height, level.margin}, kWeights);
+        for (int x = -kMargin; x < half.width + kMargin; ++x) {
+            const Taps<4> columns(2 * x - 1, {level.width, level.margin}, kWeights);
+            half.pixels.push_back(sum_of(level.pixels, level.in_row(), columns, rows));
         }
     }
     return half;
@@ -123,14 +132,15 @@ Float4 BackdropPicture::read(std::size_t level, float x, float y) const
 {
     const Level& of = levels_[level];
     const float size = std::ldexp(1.0f, static_cast<int>(level));
-    return sum_of(of.pixels, of.width, spline_taps(x / size, of.width),
-                  spline_taps(y / size, of.height));
+    return sum_of(of.pixels, of.in_row(), spline_taps(x / size, {of.width, of.margin}),
+                  spline_taps(y / size, {of.height, of.margin}));
 }
 
 Float4 BackdropPicture::between(float x, float y) const
 {
     const Level& of = levels_[0];
-    return sum_of(of.pixels, of.width, linear_taps(x, of.width), linear_taps(y, of.height));
+    return sum_of(of.pixels, of.in_row(), linear_taps(x, {of.width, of.margin}),
+                  linear_taps(y, {of.height, of.margin}));
 }
 
 Float4 BackdropPicture::blurred(float x, float y, float variance, const Float4& sharp) const

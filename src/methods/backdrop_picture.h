@@ -6,7 +6,8 @@
 // the same variance wherever they are: 3/4 and 1/4 of the square of a pixel of theirs, so that what
 // is read of level l is blurred with the variance 4^l / 2 - 1/4, and a mean of two levels with the
 // mean of theirs. Straight lines stay straight, but for the picture's border, beyond which its last
-// pixels go on.
+// pixels go on: coarser levels have two more pixels on each side, the outer of which is what goes
+// on.
 #pragma once
 
 #include <cstddef>
@@ -53,9 +54,15 @@ public:
     static std::uint64_t bytes(int width, int height);
 
 private:
+    // Of all but the first level. The tap that is farthest out of pixel -2 is -5 of the level
+    // below, where all from -2 on are the same; of -1 it is -3.
+    static constexpr int kMargin = 2;
+
     struct Level {
-        int width = 0, height = 0;
-        std::vector<Float4> pixels = {};
+        int width = 0, height = 0, margin = 0;
+        std::vector<Float4> pixels = {};  // with the margin
+
+        std::size_t in_row() const { return static_cast<std::size_t>(width + 2 * margin); }
     };
 
     std::size_t at(int x, int y) const

@@ -126,28 +126,73 @@ TEST(BackdropPicture, LightIsKept)
 // - a level's kernel is no normal one: its excess kurtosis is -0.6 to 0.15, by where it is read (a
 //   quarter of -0.4, of three uniform distributions, and of the spline's -2 to 1), which changes
 //   its function by 0.6 / 24 max |(x^3 - 3 x) phi(x)| = 0.6 / 24 x 0.551 at most, to first order;
-//   half as much again for what follows.
+//   and so does its skewness, the spline's third moment f / 4 - f^3 at f from a pixel's centre over
+//   (1/2)^(3/2): 0.136 / 6 max |(x^2 - 1) phi(x)| = 0.136 / 6 x 0.399; half as much again for what
+//   follows.
+struct Gap {
+    double bound;  // of a step's blur from the normal distribution's function
+    double fault;  // of that of twice the variance
+};
+
+Gap gap_of(double variance)
+{
+    double finer = 0.25, coarser = 1.75;
+    while (coarser < variance) {
+        finer = coarser;
+        coarser = 4 * coarser + 0.75;  // 4^l / 2 - 1/4
+    }
+    const double part = (variance - finer) / (coarser - finer);
+    double gap = 0, fault = 0;
+    for (double x = 0; x < 5; x += 0.002) {
+        const double wanted = normal_below(x), scale = std::sqrt(variance);
+        const double mixture = (1 - part) * normal_below(x * scale / std::sqrt(finer)) +
+                               part * normal_below(x * scale / std::sqrt(coarser));
+        gap = std::max(gap, std::abs(mixture - wanted));
+        fault = std::max(fault, std::abs(normal_below(x / std::sqrt(2.0)) - wanted));
+    }
+    return {gap + 1.5 * (0.6 / 24 * 0.551 + 0.136 / 6 * 0.399), fault};
+}
+
 TEST(BackdropPicture, AStepBecomesABlurredOne)
 {
     const BackdropPicture picture =
         picture_of(256, 8, [](double x, double) { return x < 128 ? 0.0 : 1.0; });
     for (const float variance : {7.75f, 12.0f, 18.0f, 25.0f, 31.75f}) {
         const auto v = static_cast<double>(variance);
-        const double finer = 7.75, coarser = 31.75, part = (v - finer) / (coarser - finer);
-        double gap = 0, fault = 0;
-        for (double x = 0; x < 40; x += 0.01) {
-            const double wanted = normal_below(x / std::sqrt(v));
-            const double mixture = (1 - part) * normal_below(x / std::sqrt(finer)) +
-                                   part * normal_below(x / std::sqrt(coarser));
-            gap = std::max(gap, std::abs(mixture - wanted));
-            fault = std::max(fault, std::abs(normal_below(x / std::sqrt(2 * v)) - wanted));
-        }
-        const double bound = gap + 1.5 * 0.6 / 24 * 0.551;
-        EXPECT_GT(fault, bound);  // twice the variance would be found
+        const Gap gap = gap_of(v);
+        EXPECT_GT(gap.fault, gap.bound);  // twice the variance would be found
         for (int x = 0; x < 256; ++x) {
             const double got = blurred(picture, static_cast<float>(x) + 0.5f, 4, variance);
-            EXPECT_NEAR(got, normal_below((x + 0.5 - 128) / std::sqrt(v)), bound)
+            EXPECT_NEAR(got, normal_below((x + 0.5 - 128) / std::sqrt(v)), gap.bound)
                 << variance << ", " << x;
+        }
+    }
+}
+
+// The same where most of what is read lies beyond the border, in pictures of any size: the step's
+// two halves go on.
+TEST(BackdropPicture, BeyondTheBorderTheLastPixelsGoOn)
+{
+    for (const int size : {97, 128, 135, 270, 513}) {
+        const int middle = size / 2;  // between two pixels
+        for (const bool along_x : {true, false}) {
+            const auto step = [&](double x, double y) {
+                return (along_x ? x : y) < middle ? 0.0 : 1.0;
+            };
+            const BackdropPicture picture =
+                picture_of(along_x ? size : 7, along_x ? 7 : size, step);
+            for (const float variance : {511.75f, 900.0f, 2000.0f, 2047.75f, 2500.0f}) {
+                if (variance > static_cast<float>(size * size) / 8) continue;  // of its last level
+                const auto v = static_cast<double>(variance);
+                const double bound = gap_of(v).bound;
+                for (int i = 0; i < size; i += 3) {
+                    const float at = static_cast<float>(i) + 0.5f;
+                    const double got = along_x ? blurred(picture, at, 3.5f, variance)
+                                               : blurred(picture, 3.5f, at, variance);
+                    EXPECT_NEAR(got, normal_below((i + 0.5 - middle) / std::sqrt(v)), bound)
+                        << size << ", " << variance << ", " << i;
+                }
+            }
         }
     }
 }
