@@ -38,17 +38,17 @@ class FragmentUnits {
 
 public:
     // Number k of fragment i is [k * Most + i], unless they are in turns.
-    const std::int64_t* units() const { return units_[0]; }
+    const std::int64_t* units() const { return units_; }
     // Where it belongs; null: to sum k.
     const std::uint32_t* sums() const { return kSparse ? sums_[0] : nullptr; }
 
     // Those of fragment i, which are in turns.
     HWY_INLINE void add_to(std::int64_t* sums, std::size_t i) const
     {
-        for (std::size_t k = 0; k < kInFours; k += 4) add_four(units_[k] + 4 * i, sums + k);
+        for (std::size_t k = 0; k < kInFours; k += 4) add_four(units_ + k * Most + 4 * i, sums + k);
         for (std::size_t k = kInFours; k < kCount; ++k) {
             std::int64_t& at = sums[kSparse ? sums_[k][i] : k];
-            at = add_wrapping(at, units_[k][i]);
+            at = add_wrapping(at, units_[k * Most + i]);
         }
     }
 
@@ -66,7 +66,7 @@ public:
                 std::uint32_t at[kCount];
                 function.addends_of_one(places[i], depths[i], addends, at);
                 for (std::size_t k = 0; k < kCount; ++k) {
-                    exact_units<One>(One::real(addends[k]), grid).store(&units_[k][i]);
+                    exact_units<One>(One::real(addends[k]), grid).store(units_ + k * Most + i);
                     sums_[k][i] = at[k];
                 }
             }
@@ -92,12 +92,12 @@ private:
         const std::size_t alone = in_turns ? kInFours : 0;
         for (std::size_t k = 0; k < alone; k += 4) {
             Whole::store_in_turns({units[k], units[k + 1], units[k + 2], units[k + 3]},
-                                  units_[k] + 4 * i);
+                                  units_ + k * Most + 4 * i);
         }
-        for (std::size_t k = alone; k < kCount; ++k) units[k].store(units_[k] + i);
+        for (std::size_t k = alone; k < kCount; ++k) units[k].store(units_ + k * Most + i);
     }
 
-    alignas(64) std::int64_t units_[kCount][Most];
+    alignas(64) std::int64_t units_[kCount * Most];
     std::uint32_t sums_[kSparse ? kCount : 1][Most];
 };
 
