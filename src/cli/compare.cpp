@@ -248,11 +248,11 @@ void run_compare(CompareRequest request)
 {
     check_request(request);
     drop_repeated(request);
-    request.given.view = view_of_film(request.scene, request.film, request.given.view,
-                                      request.given.options.memory_limit);
+    const std::uint64_t limit = request.given.options.memory_limit;
     const int last = request.film.frames ? request.film.frames->last : 0;
-    const Scene scene =
-        scene_of_frame(request.scene, request.film, last, request.given.options.memory_limit);
+    const Scene scene = scene_of_frame(request.scene, request.film, last, limit);
+    request.given.view =
+        view_of_film(request.scene, request.film, request.given.view, scene, last, limit);
     make_folder(request.folder);
     check_folder(request);
     std::vector<Filmed> film;

@@ -109,11 +109,11 @@ void add_film_options(CLI::App& command, FilmOptions& given)
 }
 
 View view_of_film(const SceneOptions& source, const FilmOptions& film, const View& view,
-                  std::uint64_t memory_limit)
+                  const Scene& scene, int frame, std::uint64_t memory_limit)
 {
-    if (!film.fps || view.eye || !film.path.keys.empty()) return view;
-    const Scene scene = scene_of_frame(source, film, 0, memory_limit);
-    return scene.cameras.empty() ? standing_view(scene, view) : view;
+    if (!film.fps || view.eye || !film.path.keys.empty() || !scene.cameras.empty()) return view;
+    if (frame == 0) return standing_view(scene, view);
+    return standing_view(scene_of_frame(source, film, 0, memory_limit), view);
 }
 
 View view_of_frame(const Scene& scene, const View& view, const FilmOptions& film, int frame)

@@ -26,9 +26,10 @@ struct FilmOptions {
 };
 
 // The view of all frames, before what moves the camera: where neither it nor the scene has a
-// camera, that which frames the scene as it stands in frame 0 of an animation.
+// camera, that which frames the scene as it stands in frame 0 of an animation. `scene` is that of
+// `frame`; another is read only if it must be.
 View view_of_film(const SceneOptions& source, const FilmOptions& film, const View& view,
-                  std::uint64_t memory_limit);
+                  const Scene& scene, int frame, std::uint64_t memory_limit);
 // What `view` and `options` are in a frame.
 View view_of_frame(const Scene& scene, const View& view, const FilmOptions& film, int frame);
 // The scene as it stands in a frame of an animation, where --fps plays one: read anew.

@@ -147,9 +147,10 @@ void run_render(RenderRequest request)
 {
     check_request(request);
     const std::uint64_t limit = request.given.options.memory_limit;
-    request.given.view = view_of_film(request.scene, request.film, request.given.view, limit);
     const FrameRange range = request.frames();
     Scene scene = scene_of_frame(request.scene, request.film, range.first, limit);
+    request.given.view =
+        view_of_film(request.scene, request.film, request.given.view, scene, range.first, limit);
     check_path(scene, request);
     std::vector<Stats> frames;
     double ms = 0;
