@@ -140,6 +140,10 @@ struct Object {
     // Object to the space of the whole that it is a part of, which moves as one: there hashed alpha
     // tests have their noise, which so moves with it. None: the scene is the whole, `transform`.
     std::optional<Mat4> to_whole = std::nullopt;
+    // Instead of the mesh's, so that objects can share a mesh that differ in these alone;
+    // `material` in Scene::materials.
+    std::optional<std::uint32_t> material = std::nullopt;
+    std::optional<std::string> mesh_name = std::nullopt;
 };
 
 struct Camera {
@@ -193,5 +197,20 @@ struct Scene {
     std::vector<std::string> ignored;  // what the reader found and does not draw, one line each
     std::vector<Group> groups;         // looked at by set_opacity alone
 };
+
+// What an object of the scene is made of: its number in Scene::materials, and that material.
+inline std::uint32_t material_number(const Scene& scene, const Object& object)
+{
+    return object.material.value_or(scene.meshes[object.mesh].material);
+}
+inline const Material& material_of(const Scene& scene, const Object& object)
+{
+    return scene.materials[material_number(scene, object)];
+}
+
+inline const std::string& mesh_name(const Scene& scene, const Object& object)
+{
+    return object.mesh_name ? *object.mesh_name : scene.meshes[object.mesh].name;
+}
 
 }  // namespace sheer

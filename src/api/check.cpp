@@ -193,6 +193,9 @@ void check_scene(const Scene& scene)
         const Object& object = scene.objects[i];
         const std::string name = "object " + std::to_string(i);
         if (object.mesh >= scene.meshes.size()) refuse(name + ": its mesh does not exist");
+        if (object.material && *object.material >= scene.materials.size()) {
+            refuse(name + ": its material does not exist");
+        }
         if (!is_group(object.group, scene.groups.size()))
             refuse(name + ": its group does not exist");
         if (!ids.insert(object.id).second) {

@@ -160,8 +160,7 @@ SceneCounts count_scene(const Scene& scene)
     }
     BoundsOfObjects bounds(scene);
     for (const Object& object : scene.objects) {
-        const Mesh& mesh = scene.meshes[object.mesh];
-        count_object(counts, mesh, scene.materials[mesh.material]);
+        count_object(counts, scene.meshes[object.mesh], material_of(scene, object));
         bounds.add(object);
     }
     counts.bounds = bounds.all();

@@ -40,7 +40,6 @@ std::string some_names(const Scene& scene)
     std::vector<char> is_seen(scene.groups.size(), false);  // with all that are above
     for (const Object& object : scene.objects) {
         if (names.size() > kMost) break;
-        const Mesh& mesh = scene.meshes[object.mesh];
         for (std::int32_t g = object.group; g >= 0 && !is_seen[static_cast<std::size_t>(g)];) {
             const Group& group = scene.groups[static_cast<std::size_t>(g)];
             is_seen[static_cast<std::size_t>(g)] = true;
@@ -48,8 +47,8 @@ std::string some_names(const Scene& scene)
             g = group.parent;
         }
         add(object.name);
-        add(mesh.name);
-        add(scene.materials[mesh.material].name);
+        add(mesh_name(scene, object));
+        add(material_of(scene, object).name);
     }
     if (names.empty()) return "nothing in the scene has a name";
     const bool more = names.size() > kMost;

@@ -68,9 +68,7 @@ std::vector<Object> repeat_transparent(const Scene& scene, int times, bool tests
     for (const Object& object : objects) id = std::max(id, object.id);
     for (int time = 1; time < times; ++time) {
         for (const Object& object : scene.objects) {
-            const Mesh& mesh = scene.meshes[object.mesh];
-            const Material& material = scene.materials[mesh.material];
-            if (!makes_fragments(material, object, tests_masks)) continue;
+            if (!makes_fragments(material_of(scene, object), object, tests_masks)) continue;
             objects.push_back(object);
             objects.back().id = ++id;
         }

@@ -30,8 +30,7 @@ std::vector<Object> opaque_objects(const Scene& scene, bool tests_masks)
     std::vector<Object> opaque;
     std::copy_if(scene.objects.begin(), scene.objects.end(), std::back_inserter(opaque),
                  [&](const Object& object) {
-                     return !makes_fragments(scene.materials[scene.meshes[object.mesh].material],
-                                             object, tests_masks);
+                     return !makes_fragments(material_of(scene, object), object, tests_masks);
                  });
     return opaque;
 }

@@ -32,7 +32,7 @@ std::uint64_t geometry_bytes(const Scene& scene, const PlaceSpaces& places)
                 // Vertices of their own, in a vector that grows.
                 if (mesh.normals.empty()) bytes += 2 * indices * attribute_bytes;
                 // Tangents on their way.
-                if (mesh.tangents.empty() && scene.materials[mesh.material].normal_texture) {
+                if (mesh.tangents.empty() && material_of(scene, object).normal_texture) {
                     bytes += mesh.positions.size() * (9 * sizeof(double) + sizeof(Float4));
                 }
                 break;

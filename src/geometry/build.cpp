@@ -225,8 +225,8 @@ void add_piece(const Context& context, const Piece& piece, NewChunk& made)
 {
     const Scene& scene = context.job.scene;
     const Mesh& mesh = *context.drawn[piece.object].mesh;
-    const bool flat =
-        mesh.normals.empty() && scene.materials[mesh.material].shading != Shading::unlit;
+    const Material& material = material_of(scene, scene.objects[piece.object]);
+    const bool flat = mesh.normals.empty() && material.shading != Shading::unlit;
     const std::uint32_t first_vertex = context.posed.first_vertex[piece.object];
     const std::uint32_t first_primitive = context.posed.first_primitive[piece.object];
     for (std::size_t i = piece.begin; i < piece.end; ++i) {

@@ -145,7 +145,7 @@ Textures::Textures(const Scene& scene)
         }
     };
     for (const Object& object : scene.objects) {
-        const Material& material = scene.materials[scene.meshes[object.mesh].material];
+        const Material& material = material_of(scene, object);
         add(material.base_color_texture, base_color_use(material));
         add(material.emission_texture, TexelUse::opaque_color);
         add(material.metallic_roughness_texture, TexelUse::data);

@@ -126,7 +126,7 @@ Vec3 light_along(const Scene& scene, const Textures& textures, const LightWay& w
     for (std::size_t o = 0; o < scene.objects.size(); ++o) {
         const Object& object = scene.objects[o];
         const Mesh& mesh = scene.meshes[object.mesh];
-        const Material& material = scene.materials[mesh.material];
+        const Material& material = material_of(scene, object);
         if (mesh.topology != Topology::triangles || material.shading == Shading::unlit) {
             continue;
         }

@@ -67,8 +67,7 @@ Spot spot_at(const Shader& shader, const TriangleChunk& chunk, const Triangle& t
 {
     const Scene& scene = shader.scene;
     const Geometry& geometry = shader.geometry;
-    const Material& material =
-        scene.materials[scene.meshes[scene.objects[triangle.object].mesh].material];
+    const Material& material = material_of(scene, scene.objects[triangle.object]);
     const auto attributes = [&](int i) {
         return &geometry.attributes_of(chunk, triangle.vertex[i]);
     };

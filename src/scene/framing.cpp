@@ -153,7 +153,7 @@ std::vector<Vec3> corner_points(const Scene& scene, CornersOf which)
 {
     const auto is_wanted = [&](const Object& object) {
         if (which == CornersOf::all) return true;
-        const std::size_t number = scene.meshes[object.mesh].material;
+        const std::size_t number = material_number(scene, object);
         if (number >= scene.materials.size()) return false;  // of a scene that nobody checked
         const Material& material = scene.materials[number];
         return which == CornersOf::lit ? material.shading != Shading::unlit

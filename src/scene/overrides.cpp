@@ -56,11 +56,11 @@ std::size_t set_opacity(Scene& scene, std::string_view pattern, float opacity)
         in_match.push_back(inherits || matches(pattern, group.name));
     }
     for (Object& object : scene.objects) {
-        const Mesh& mesh = scene.meshes[object.mesh];
         const bool grouped =
             object.group >= 0 && in_match[static_cast<std::size_t>(object.group)] != 0;
-        if (!grouped && !matches(pattern, object.name) && !matches(pattern, mesh.name) &&
-            !matches(pattern, scene.materials[mesh.material].name)) {
+        if (!grouped && !matches(pattern, object.name) &&
+            !matches(pattern, mesh_name(scene, object)) &&
+            !matches(pattern, material_of(scene, object).name)) {
             continue;
         }
         object.opacity = opacity;

@@ -151,7 +151,7 @@ void prepare_details(const Scene& scene, float gain, Shadowed shadowed, TextureM
                      FrameSurfaces& result)
 {
     std::vector<bool> used(scene.materials.size());
-    for (const Object& object : scene.objects) used[scene.meshes[object.mesh].material] = true;
+    for (const Object& object : scene.objects) used[material_number(scene, object)] = true;
     result.details.resize(scene.materials.size());
     for (std::size_t i = 0; i < used.size(); ++i) {
         const Material& m = scene.materials[i];
@@ -179,8 +179,9 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
                      const FrameSurfaces& result)
 {
     const Mesh& mesh = scene.meshes[object.mesh];
-    const Material& m = scene.materials[mesh.material];
-    const auto& detail = result.details[mesh.material];
+    const std::uint32_t material = material_number(scene, object);
+    const Material& m = scene.materials[material];
+    const auto& detail = result.details[material];
     const bool opaque = m.alpha_mode == AlphaMode::opaque;
     Surface surface{detail ? m.base_color : times(m.base_color, gain),
                     opaque ? 1.0f : std::clamp(m.opacity, 0.0f, 1.0f),
@@ -191,7 +192,7 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
                     object.id};
     surface.transparent = is_transparent(m, object);
     surface.object_opacity = object.opacity;
-    surface.material = mesh.material;
+    surface.material = material;
     surface.detail = detail ? &*detail : nullptr;
     surface.may_vanish = surface.has_vertex_colors || m.alpha_mode == AlphaMode::mask ||
                          is_glass(m) || m.base_color_texture.has_value();

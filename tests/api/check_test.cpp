@@ -80,6 +80,8 @@ TEST(Check, WhatDoesNotExistIsRefused)
               "mesh 0: an index is beyond its positions");
     EXPECT_EQ(error_of([](Scene& s, View&) { s.meshes[0].material = 1; }),
               "mesh 0: its material does not exist");
+    EXPECT_EQ(error_of([](Scene& s, View&) { s.objects[0].material = 1; }),
+              "object 0: its material does not exist");
     EXPECT_EQ(error_of([](Scene& s, View&) { s.objects.push_back(s.objects[0]); }),
               "object 1: its id 0 is taken");
     EXPECT_EQ(error_of([](Scene&, View& v) { v.samples = 3; }),

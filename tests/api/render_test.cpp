@@ -2,8 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <thread>
+#include <utility>
+#include <vector>
 
 #include <sheer/sheer.h>
+
+#include "cpu/small_pictures.h"
 
 namespace sheer {
 
@@ -52,6 +56,61 @@ TEST(Render, SeveralAtOnce)
     for (std::size_t i = 0; i < all.size(); ++i) {
         EXPECT_EQ(together[i].pixels, render(scene, small_view(), all[i]).image.pixels) << i;
         EXPECT_EQ(together[i].pixels, together[(i + 3) % 6].pixels) << i;
+    }
+}
+
+// A row of squares of one mesh, each with a material of its own, and the same of copies of the
+// mesh: lit or not, seen from both sides or one, with a normal texture in either set of
+// coordinates.
+TEST(Render, AnObjectsMaterialStandsForItsMeshes)
+{
+    Scene scene;
+    Camera camera;
+    camera.orthographic = true;
+    scene.cameras = {camera};
+    scene.images.push_back({"bumps", 2, 1, {{230, 60, 255, 255}, {20, 160, 255, 255}}});
+    Material plain;
+    plain.base_color = {0.2f, 0.5f, 0.8f};
+    Mesh& mesh =
+        add_rectangle(scene, plain, {{-0.1f, -1, 0}, {0.1f, -1, 0}, {0.1f, 1, 0}, {-0.1f, 1, 0}});
+    mesh.texcoords[0] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    mesh.texcoords[1] = {{1, 0}, {1, 3}, {0, 3}, {0, 0}};
+    std::vector<Material> others(6, plain);
+    others[0].double_sided = true;
+    others[1].shading = Shading::unlit;
+    for (std::size_t i = 2; i < 4; ++i) {
+        others[i].shading = Shading::metallic_roughness;
+        others[i].normal_texture = Texture{};
+        others[i].normal_texture->set = static_cast<std::uint32_t>(i - 2);
+    }
+    others[4].alpha_mode = AlphaMode::blend;
+    others[4].opacity = 0.5f;
+    others[5].base_color = {0.9f, 0.1f, 0.2f};
+    scene.objects.clear();
+    Scene copies = scene;
+    for (const Material& other : others) {
+        Object object;
+        object.id = static_cast<std::uint32_t>(scene.objects.size());
+        object.transform[12] = -0.75f + 0.3f * static_cast<float>(object.id);
+        object.transform[14] = -2;
+        if (object.id == 0) object.transform[0] = object.transform[10] = -1;  // seen from behind
+        const auto number = static_cast<std::uint32_t>(scene.materials.size());
+        object.material = number;
+        scene.objects.push_back(object);
+        scene.materials.push_back(other);
+        object.material.reset();
+        object.mesh = static_cast<std::uint32_t>(copies.meshes.size());
+        copies.meshes.push_back(scene.meshes[0]);
+        copies.meshes.back().material = number;
+        copies.objects.push_back(object);
+        copies.materials.push_back(other);
+    }
+    const Image shared = draw(scene, square(64, 4), "exact");
+    EXPECT_EQ(shared.pixels, draw(copies, square(64, 4), "exact").pixels);
+    for (Object& object : scene.objects) {
+        const auto own = std::exchange(object.material, std::nullopt);
+        EXPECT_NE(shared.pixels, draw(scene, square(64, 4), "exact").pixels) << object.id;
+        object.material = own;
     }
 }
 

@@ -132,7 +132,7 @@ TEST(GltfFiles, TheTeaTableIsDrawnWhole)
     EXPECT_EQ(scene.cameras.size(), 1u);
     const auto uses = [&](AlphaMode mode) {
         return std::count_if(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
-            return scene.materials[scene.meshes[object.mesh].material].alpha_mode == mode;
+            return material_of(scene, object).alpha_mode == mode;
         });
     };
     EXPECT_GT(uses(AlphaMode::opaque), 0);

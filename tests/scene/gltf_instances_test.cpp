@@ -51,6 +51,40 @@ TEST(GltfInstances, AnyAttributeSaysHowMany)
     EXPECT_EQ(scene.objects[0].transform, scene.objects[2].transform);
 }
 
+// Primitives that differ in their material alone: their vertices are kept once, and each object has
+// its material and the name of its own glTF mesh.
+TEST(GltfInstances, OfOtherMaterialsShareTheirVertices)
+{
+    Builder builder = one_triangle();
+    builder.json["materials"] = {{{"name", "red"}},
+                                 {{"name", "blue"}, {"alphaMode", "BLEND"}, {"doubleSided", true}}};
+    builder.json["meshes"][0]["name"] = "first";
+    const Json same = builder.json["meshes"][0]["primitives"][0]["attributes"];
+    builder.primitive(same)["material"] = 1;
+    builder.primitive(same)["material"] = 0;
+    builder.json["meshes"][1]["name"] = "second";
+    builder.primitive(same)["mode"] = 0;  // points: another shape
+    builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+    Scene scene = read(builder);
+    ASSERT_EQ(scene.objects.size(), 4u);
+    ASSERT_EQ(scene.meshes.size(), 2u);
+    const std::uint32_t mesh[4] = {0, 0, 0, 1};
+    const char* material[3] = {"red", "blue", "red"};
+    const char* name[4] = {"first", "second", "", ""};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(scene.objects[i].mesh, mesh[i]) << i;
+        EXPECT_EQ(mesh_name(scene, scene.objects[i]), name[i]) << i;
+        if (i == 3) continue;
+        EXPECT_EQ(material_of(scene, scene.objects[i]).name, material[i]) << i;
+    }
+    EXPECT_EQ(set_opacity(scene, "first", 0.5f), 1u);
+    EXPECT_EQ(scene.objects[0].opacity, 0.5f);
+    EXPECT_EQ(set_opacity(scene, "second", 0.25f), 1u);
+    EXPECT_EQ(scene.objects[1].opacity, 0.25f);
+    EXPECT_EQ(set_opacity(scene, "red", 0.75f), 2u);
+    EXPECT_EQ(scene.objects[1].opacity, 0.25f);
+}
+
 TEST(GltfInstances, LimitsAreTheCallers)
 {
     const std::string text = with_instances().text();

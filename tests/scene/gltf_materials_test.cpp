@@ -40,8 +40,8 @@ TEST(GltfMaterials, PrimitivesWithoutMaterialShareADefaultOne)
     builder.primitive({{"POSITION", 0}});
     const Scene scene = read(builder);
     ASSERT_EQ(scene.materials.size(), 2u);
-    EXPECT_EQ(scene.meshes.at(0).material, 1u);
-    EXPECT_EQ(scene.meshes.at(1).material, 1u);
+    EXPECT_EQ(material_number(scene, scene.objects.at(0)), 1u);
+    EXPECT_EQ(material_number(scene, scene.objects.at(1)), 1u);
     const Material& material = scene.materials[1];
     EXPECT_EQ(material.base_color, (Float3{1, 1, 1}));
     EXPECT_EQ(material.shading, Shading::metallic_roughness);

@@ -139,7 +139,8 @@ TEST(GltfNodes, EachPrimitiveOfANodeIsAnObject)
 {
     Builder builder = nodes_with_a_mesh(2);
     builder.json["meshes"][0]["name"] = "both";
-    builder.json["meshes"][0]["primitives"].push_back({{"attributes", {{"POSITION", 0}}}});
+    builder.json["meshes"][0]["primitives"].push_back(
+        {{"attributes", {{"POSITION", 0}}}, {"mode", 5}});
     const Scene scene = read(builder);
     EXPECT_EQ(names(scene), "n0n0n1n1");
     ASSERT_EQ(scene.meshes.size(), 2u);

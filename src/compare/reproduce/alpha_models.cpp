@@ -32,8 +32,7 @@ Scene masks_of(Scene scene)
 {
     std::vector<Object> objects;
     for (const Object& object : scene.objects) {
-        const Material& material = scene.materials[scene.meshes[object.mesh].material];
-        if (material.alpha_mode == AlphaMode::mask) objects.push_back(object);
+        if (material_of(scene, object).alpha_mode == AlphaMode::mask) objects.push_back(object);
     }
     scene.objects = std::move(objects);
     for (Material& material : scene.materials) material.shading = Shading::unlit;

@@ -95,14 +95,16 @@ Scene with_sorted_triangles(const Scene& scene, const View& view, TriangleOrder 
     sorted.meshes.clear();
     sorted.objects.clear();
     for (const PlacedTriangle& triangle : triangles) {
-        const Mesh& mesh = scene.meshes[scene.objects[triangle.object].mesh];
-        if (sorted.meshes.empty() || sorted.meshes.back().material != mesh.material) {
+        const Object& source = scene.objects[triangle.object];
+        const std::uint32_t material = material_number(scene, source);
+        if (sorted.meshes.empty() || sorted.meshes.back().material != material) {
             Object object;
             object.mesh = object.id = static_cast<std::uint32_t>(sorted.meshes.size());
             sorted.objects.push_back(object);
-            sorted.meshes.emplace_back().material = mesh.material;
+            sorted.meshes.emplace_back().material = material;
         }
-        append(mesh, placements[triangle.object], triangle.first, sorted.meshes.back());
+        append(scene.meshes[source.mesh], placements[triangle.object], triangle.first,
+               sorted.meshes.back());
     }
     return sorted;
 }

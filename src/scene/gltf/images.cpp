@@ -102,7 +102,9 @@ void load_images(Import& import)
 {
     auto& materials = import.scene.materials;
     std::vector<bool> is_used(materials.size(), false);
-    for (const Mesh& mesh : import.scene.meshes) is_used[mesh.material] = true;
+    for (const Object& object : import.scene.objects) {
+        is_used[material_number(import.scene, object)] = true;
+    }
     LoadedImages images(import);
     for (std::size_t i = 0; i < materials.size(); ++i) {
         for (const auto member : kMaterialTextures) {

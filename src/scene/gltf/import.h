@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <sheer/scene.h>
@@ -29,6 +30,8 @@ struct Import {
     std::optional<std::uint32_t> default_material = {};  // in Scene::materials, once it is needed
     // Copies of materials for lines and points: by the material, and whether the copy is unlit.
     std::map<std::pair<std::uint32_t, bool>, std::uint32_t> line_materials = {};
+    // Meshes in the base shape, by their primitives' JSON without the material.
+    std::map<std::string, std::uint32_t> base_meshes = {};
     Poses poses = {};  // once they are read
     Scene scene = {};
 };

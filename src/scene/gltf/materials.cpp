@@ -171,16 +171,15 @@ std::uint32_t material_of(Import& import, const Value& primitive)
     return *import.default_material;
 }
 
-std::uint32_t material_of_line(Import& import, const Mesh& mesh)
+std::uint32_t material_of_line(Import& import, const Mesh& mesh, std::uint32_t material)
 {
     auto& materials = import.scene.materials;
-    Material copy = materials[mesh.material];
+    Material copy = materials[material];
     const bool loses_light = copy.shading != Shading::unlit && mesh.normals.empty();
     const bool loses_bumps = copy.normal_texture && mesh.tangents.empty();
-    if (!loses_light && !loses_bumps) return mesh.material;
+    if (!loses_light && !loses_bumps) return material;
     const auto next = static_cast<std::uint32_t>(materials.size());
-    const auto [place, is_new] =
-        import.line_materials.try_emplace({mesh.material, loses_light}, next);
+    const auto [place, is_new] = import.line_materials.try_emplace({material, loses_light}, next);
     if (is_new) {
         if (loses_light) make_unlit(copy);
         copy.normal_texture.reset();

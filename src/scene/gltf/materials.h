@@ -15,8 +15,8 @@ void read_materials(Import& import);
 std::uint32_t material_of(Import& import, const Value& primitive);
 
 // That of a mesh of lines or points, which is lit only where it has normals and bumpy only where it
-// has tangents: its own material, or a copy that is unlit or without normal texture.
-std::uint32_t material_of_line(Import& import, const Mesh& mesh);
+// has tangents: `material`, or a copy of it that is unlit or without normal texture.
+std::uint32_t material_of_line(Import& import, const Mesh& mesh, std::uint32_t material);
 
 // Notes the extensions of `owner`, one of the file's `things`, that are not supported.
 void note_extensions(Import& import, const Value& owner, const std::string& things);

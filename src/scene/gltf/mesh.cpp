@@ -67,16 +67,47 @@ Mesh read_primitive(Import& import, const Value& primitive, const Shape& shape)
     drop_unused_vertices(mesh);
     repair_normals(mesh, import.notes);
     repair_tangents(mesh, import.notes);
-    mesh.material = material_of(import, primitive);
-    if (mesh.topology != Topology::triangles) mesh.material = material_of_line(import, mesh);
     return mesh;
+}
+
+std::uint32_t material_for(Import& import, const Value& primitive, const Mesh& mesh)
+{
+    const std::uint32_t material = material_of(import, primitive);
+    return mesh.topology == Topology::triangles ? material
+                                                : material_of_line(import, mesh, material);
+}
+
+// Nothing where there is nothing to draw.
+std::optional<Part> read_part(Import& import, const Value& primitive, const std::string& name,
+                              const Shape& shape)
+{
+    auto& meshes = import.scene.meshes;
+    const bool is_base = shape.weights.empty() && shape.skin == nullptr;
+    const std::string json = is_base ? primitive.json_without("material") : "";
+    if (const auto known = import.base_meshes.find(json); known != import.base_meshes.end()) {
+        const Mesh& mesh = meshes[known->second];
+        Part part{known->second, std::nullopt, std::nullopt};
+        const std::uint32_t material = material_for(import, primitive, mesh);
+        if (material != mesh.material) part.material = material;
+        if (name != mesh.name) part.mesh_name = name;
+        return part;
+    }
+    Mesh mesh = read_primitive(import, primitive, shape);
+    if (mesh.indices.empty()) return std::nullopt;
+    mesh.name = name;
+    mesh.material = material_for(import, primitive, mesh);
+    const auto number = static_cast<std::uint32_t>(meshes.size());
+    meshes.push_back(std::move(mesh));
+    if (is_base) import.base_meshes[json] = number;
+    return Part{number, std::nullopt, std::nullopt};
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> read_mesh(Import& import, const Value& mesh, const Shape& shape)
+std::vector<Part> read_mesh(Import& import, const Value& mesh, const Shape& shape)
 {
-    std::vector<std::uint32_t> numbers;
+    std::vector<Part> parts;
+    const std::string name = name_of(mesh);
     const Value primitives = mesh.member("primitives");
     for (std::size_t i = 0; i < primitives.size(); ++i) {
         const Value primitive = primitives[i];
@@ -85,13 +116,9 @@ std::vector<std::uint32_t> read_mesh(Import& import, const Value& mesh, const Sh
             import.notes.add("primitives without POSITION", "not drawn");
             continue;
         }
-        Mesh read = read_primitive(import, primitive, shape);
-        if (read.indices.empty()) continue;
-        read.name = name_of(mesh);
-        numbers.push_back(static_cast<std::uint32_t>(import.scene.meshes.size()));
-        import.scene.meshes.push_back(std::move(read));
+        if (auto part = read_part(import, primitive, name, shape)) parts.push_back(*part);
     }
-    return numbers;
+    return parts;
 }
 
 }  // namespace sheer::gltf

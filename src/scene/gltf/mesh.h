@@ -1,8 +1,10 @@
-// Meshes: one Mesh of the scene for each glTF primitive.
+// Meshes: one Mesh of the scene for each glTF primitive that is not another's with other material.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "scene/gltf/import.h"
@@ -16,8 +18,15 @@ struct Shape {
     bool mirrored = false;                 // the world's front of a skinned mesh is its back
 };
 
-// Appends the mesh's primitives to the scene's meshes; which these are, in order. Primitives with
-// nothing to draw are left out.
-std::vector<std::uint32_t> read_mesh(Import& import, const Value& mesh, const Shape& shape);
+// A primitive, as Object names it.
+struct Part {
+    std::uint32_t mesh;
+    std::optional<std::uint32_t> material;
+    std::optional<std::string> mesh_name;
+};
+
+// The mesh's primitives, in order, appended to the scene's meshes where these have not the same
+// already. Primitives with nothing to draw are left out.
+std::vector<Part> read_mesh(Import& import, const Value& mesh, const Shape& shape);
 
 }  // namespace sheer::gltf

@@ -15,7 +15,7 @@ namespace sheer::gltf {
 
 namespace {
 
-using MeshNumbers = std::vector<std::uint32_t>;  // in Scene::meshes, one for each primitive
+using Parts = std::vector<Part>;  // one for each primitive
 
 Mat4 require_float(const Value& node, const Matrix& world)
 {
@@ -79,17 +79,17 @@ public:
             const Shape shape = {weights_of(placed.number, mesh, own), skin,
                                  determinant(placed.world) < 0};
             limits_.count_read(node, import_.document.item("meshes", mesh));
-            const auto meshes = read_mesh(import_, import_.document.item("meshes", mesh), shape);
-            add(node, placed.parent, meshes, {kIdentityMatrix, std::nullopt});
+            const Parts parts = read_mesh(import_, import_.document.item("meshes", mesh), shape);
+            add(node, placed.parent, parts, {kIdentityMatrix, std::nullopt});
             return;
         }
-        const MeshNumbers& meshes = shared_meshes(placed.number, mesh);
-        if (!instances) add(node, placed.parent, meshes, {placed.world, placed.whole});
+        const Parts& parts = shared_parts(placed.number, mesh);
+        if (!instances) add(node, placed.parent, parts, {placed.world, placed.whole});
         for (std::size_t i = 0; instances && i < instances->size(); ++i) {
             const Matrix& own = (*instances)[i];
             Where where{multiply(placed.world, own), std::nullopt};
             if (placed.whole) where.whole = multiply(*placed.whole, own);
-            add(node, placed.parent, meshes, where);
+            add(node, placed.parent, parts, where);
         }
     }
 
@@ -99,15 +99,17 @@ private:
         std::optional<Matrix> whole;
     };
 
-    void add(const Value& node, std::int32_t group, const MeshNumbers& meshes, const Where& where)
+    void add(const Value& node, std::int32_t group, const Parts& parts, const Where& where)
     {
         Scene& scene = import_.scene;
-        for (const std::uint32_t mesh : meshes) {
-            limits_.count(node, scene.meshes[mesh]);
+        for (const Part& part : parts) {
+            limits_.count(node, scene.meshes[part.mesh]);
             Object object;
             object.name = name_of(node);
             object.group = group;
-            object.mesh = mesh;
+            object.mesh = part.mesh;
+            object.material = part.material;
+            object.mesh_name = part.mesh_name;
             object.transform = require_float(node, where.world);
             if (where.whole) object.to_whole = require_float(node, *where.whole);
             object.id = static_cast<std::uint32_t>(scene.objects.size());
@@ -136,21 +138,21 @@ private:
         return entry->second;
     }
 
-    const MeshNumbers& shared_meshes(std::size_t node_number, std::size_t number)
+    const Parts& shared_parts(std::size_t node_number, std::size_t number)
     {
         const Value node = import_.document.item("nodes", node_number);
         const bool is_plain = !node.find("weights") && posed_weights(node_number) == nullptr;
-        if (const auto known = plain_meshes_.find(number); is_plain && known != plain_meshes_.end())
+        if (const auto known = plain_parts_.find(number); is_plain && known != plain_parts_.end())
             return *known->second;
         const Value mesh = import_.document.item("meshes", number);
         std::vector<double> own;
         const auto [entry, is_new] =
-            meshes_.try_emplace({number, weights_of(node_number, number, own)});
+            parts_.try_emplace({number, weights_of(node_number, number, own)});
         if (is_new) {
             limits_.count_read(node, mesh);
             entry->second = read_mesh(import_, mesh, {.weights = entry->first.second});
         }
-        if (is_plain) plain_meshes_[number] = &entry->second;
+        if (is_plain) plain_parts_[number] = &entry->second;
         return entry->second;
     }
 
@@ -168,8 +170,9 @@ private:
 
     Import& import_;
     std::vector<const Matrix*> worlds_;  // by the file's nodes
-    std::map<std::pair<std::size_t, std::vector<double>>, MeshNumbers> meshes_;  // with weights
-    std::map<std::size_t, const MeshNumbers*> plain_meshes_;  // with the meshes' own weights
+    // Of meshes by their numbers, with weights.
+    std::map<std::pair<std::size_t, std::vector<double>>, Parts> parts_;
+    std::map<std::size_t, const Parts*> plain_parts_;  // with the meshes' own weights
     std::map<std::size_t, std::vector<double>> mesh_weights_;
     std::map<std::size_t, std::optional<Skin>> skins_;
     ObjectLimits limits_;

@@ -47,6 +47,13 @@ void Value::fail(std::string_view what) const
     throw Error(Fault::input, in_one_line(message, path_->size() + kMaxMessage));
 }
 
+std::string Value::json_without(std::string_view key) const
+{
+    Json rest = *json_;
+    rest.erase(std::string(key));
+    return rest.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 std::optional<Value> Value::find(std::string_view key) const
 {
     if (!json_->is_object()) fail("must be an object, not " + kind_of(*json_));

@@ -28,6 +28,7 @@ public:
     std::optional<Value> find(std::string_view key) const;
     Value member(std::string_view key) const;
     std::vector<std::string> keys() const;
+    std::string json_without(std::string_view key) const;  // the same for the same members
 
     // Of an array.
     std::size_t size() const;
