@@ -8,34 +8,13 @@
 #include <sheer/sheer.h>
 
 #include "compare/metrics.h"
+#include "cpu/small_pictures.h"
 #include "reference/phenomenological.h"
 #include "simd_levels.h"
 
 namespace sheer {
 
 namespace {
-
-// A rectangle straight on, seen without perspective: pictures are 2 wide and 2 high.
-void add_rectangle(Scene& scene, float left, float right, float distance, Float3 color,
-                   float opacity)
-{
-    const auto number = static_cast<std::uint32_t>(scene.objects.size());
-    Material material;
-    material.shading = Shading::unlit;
-    material.base_color = color;
-    material.opacity = opacity;
-    if (opacity < 1) material.alpha_mode = AlphaMode::blend;
-    Mesh mesh;
-    const float z = -distance;
-    mesh.positions = {{left, -1, z}, {right, -1, z}, {right, 1, z}, {left, 1, z}};
-    mesh.indices = {0, 1, 2, 0, 2, 3};
-    mesh.material = number;
-    scene.materials.push_back(material);
-    scene.meshes.push_back(mesh);
-    Object object;
-    object.mesh = object.id = number;
-    scene.objects.push_back(object);
-}
 
 constexpr float kWall = 4, kGlass = 2, kOpacity = 0.5f;
 
@@ -47,26 +26,10 @@ Scene glass_before_a_step()
     camera.orthographic = true;
     camera.znear = 0.1f;
     scene.cameras = {camera};
-    add_rectangle(scene, -1, 0, kWall, {0, 0, 0}, 1);
-    add_rectangle(scene, 0, 1, kWall, {1, 1, 1}, 1);
-    add_rectangle(scene, -1, 1, kGlass, {0, 0, 0}, kOpacity);
+    add_upright(scene, -1, 0, kWall, {0, 0, 0}, 1);
+    add_upright(scene, 0, 1, kWall, {1, 1, 1}, 1);
+    add_upright(scene, -1, 1, kGlass, {0, 0, 0}, kOpacity);
     return scene;
-}
-
-View square(int side, int samples)
-{
-    View view;
-    view.width = view.height = side;
-    view.samples = samples;
-    return view;
-}
-
-Image draw(const Scene& scene, const View& view, const std::string& method)
-{
-    Options options;
-    options.threads = 2;
-    options.method = method;
-    return render(scene, view, options).image;
 }
 
 }  // namespace
@@ -105,7 +68,7 @@ TEST(BackdropPictures, WhatHasNoEffectChangesNothing)
     Scene alone;
     alone.cameras = glass_before_a_step().cameras;
     alone.background = Float4{0.3f, 0.6f, 0.2f, 1};
-    add_rectangle(alone, -0.7f, 0.45f, kGlass, {0.8f, 0.1f, 0.1f}, kOpacity);
+    add_upright(alone, -0.7f, 0.45f, kGlass, {0.8f, 0.1f, 0.1f}, kOpacity);
     const Scene step = glass_before_a_step();
     const auto expect_same = [](const Scene& scene, const char* method, float bound) {
         const View view = square(70, 4);

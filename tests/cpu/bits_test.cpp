@@ -7,6 +7,7 @@
 
 #include <sheer/sheer.h>
 
+#include "methods/method.h"
 #include "simd_levels.h"
 
 namespace sheer {
@@ -48,6 +49,51 @@ TEST(Bits, AnyOrderOfSubmission)
         for (int round = 0; round < 3; ++round) {
             std::shuffle(scene.objects.begin(), scene.objects.end(), random);
             EXPECT_EQ(render(scene, view, {}).image.pixels, expected.pixels) << source;
+        }
+    }
+}
+
+// Neither is it by any method that says so, with its standard values.
+TEST(Bits, AnyOrderOfSubmissionToEveryMethodThatTakesIt)
+{
+    View view;
+    view.width = view.height = 90;
+    std::mt19937 random(12);
+    std::size_t methods = 0;
+    for (const MethodRow& row : method_table()) {
+        if (choose_method(row.id).traits().any_order != Agreement::bits) continue;
+        ++methods;
+        Options options;
+        options.method = row.id;
+        for (const char* source : {"builtin:quads", SHEER_SOURCE_DIR "/scenes/tea_table.glb"}) {
+            Scene scene = load(source);
+            const Image expected = render(scene, view, options).image;
+            for (int round = 0; round < 2; ++round) {
+                std::shuffle(scene.objects.begin(), scene.objects.end(), random);
+                EXPECT_EQ(render(scene, view, options).image.pixels, expected.pixels)
+                    << row.id << ", " << source;
+            }
+        }
+    }
+    EXPECT_GT(methods, 10u);
+}
+
+// Standard values; the methods' own tests have the others.
+TEST(Bits, EveryMethodWithAnyNumberOfThreads)
+{
+    const Scene scene = load(SHEER_SOURCE_DIR "/scenes/tea_table.glb");
+    View view;
+    view.width = 110;
+    view.height = 70;
+    for (const MethodRow& row : method_table()) {
+        Options options;
+        options.method = row.id;
+        options.threads = 1;
+        const Image expected = render(scene, view, options).image;
+        for (const int threads : {2, 7}) {
+            options.threads = threads;
+            EXPECT_EQ(render(scene, view, options).image.pixels, expected.pixels)
+                << row.id << ", " << threads << " threads";
         }
     }
 }

@@ -12,6 +12,7 @@
 
 #include "cpu/fragment_sink.h"
 #include "cpu/frame.h"
+#include "cpu/small_pictures.h"
 
 namespace sheer::test {
 namespace {
@@ -68,18 +69,9 @@ private:
 
 View small_view(int samples)
 {
-    View view;
-    view.width = view.height = 64;
-    view.samples = samples;
+    View view = square(64, samples);
     view.positions = SamplePositions::center;
     return view;
-}
-
-Image drawn(const Scene& scene, const View& view, const std::string& method)
-{
-    Options options;
-    options.method = method;
-    return render(scene, view, options).image;
 }
 
 double difference(const std::array<float, 4>& a, const std::array<float, 4>& b)
@@ -101,10 +93,10 @@ TEST(PeeledPictures, AreExactWhereFloatsKnowTheOrder)
         Take take{.method = choose_method("exact"), .keys = {frame_key(1, 0)}};
         render_takes(scene, view, {}, {.takes = {&take, 1}, .sink = &doubts});
         ASSERT_TRUE(doubts.any());
-        const Image exact = drawn(scene, view, "exact");
+        const Image exact = draw(scene, view, "exact");
         for (const char* method : kPeeling) {
             SCOPED_TRACE(std::string(source) + ", " + method);
-            const Image peeled = drawn(scene, view, method);
+            const Image peeled = draw(scene, view, method);
             std::size_t compared = 0;
             for (std::size_t p = 0; p < exact.pixels.size(); ++p) {
                 if (doubts.doubtful(p)) continue;
@@ -124,9 +116,9 @@ TEST(PeeledPictures, AreExactWithTies)
         const Scene scene = load(
             "builtin:layers?n=12&alpha=0.2,0.7,0.3,0.5&color=1,0,0;0,1,0;0,0,1;1,1,0;0,1,1;1,0,1"
             "&depth=1,1,2,2,2,3,3,3,3,4&order=random&seed=5&background=0.5,0.5,0.5");
-        const Image exact = drawn(scene, small_view(samples), "exact");
+        const Image exact = draw(scene, small_view(samples), "exact");
         for (const char* method : kPeeling) {
-            const Image peeled = drawn(scene, small_view(samples), method);
+            const Image peeled = draw(scene, small_view(samples), method);
             for (std::size_t p = 0; p < exact.pixels.size(); ++p) {
                 ASSERT_LE(difference(peeled.pixels[p], exact.pixels[p]), kSame) << method;
             }

@@ -7,6 +7,7 @@
 #include <sheer/sheer.h>
 
 #include "compare/metrics.h"
+#include "cpu/small_pictures.h"
 #include "simd_levels.h"
 
 namespace sheer {
@@ -30,41 +31,9 @@ Scene panes(const std::vector<Pane>& all)
     scene.cameras = {camera};
     scene.background = Float4{0.1f, 0.1f, 0.1f, 1};
     for (const Pane& pane : all) {
-        const auto number = static_cast<std::uint32_t>(scene.objects.size());
-        Material material;
-        material.shading = Shading::unlit;
-        material.base_color = pane.color;
-        material.opacity = pane.opacity;
-        if (pane.opacity < 1) material.alpha_mode = AlphaMode::blend;
-        Mesh mesh;
-        const float z = -pane.distance;
-        mesh.positions = {
-            {pane.left, -1, z}, {pane.right, -1, z}, {pane.right, 1, z}, {pane.left, 1, z}};
-        mesh.indices = {0, 1, 2, 0, 2, 3};
-        mesh.material = number;
-        scene.materials.push_back(material);
-        scene.meshes.push_back(mesh);
-        Object object;
-        object.mesh = object.id = number;
-        scene.objects.push_back(object);
+        add_upright(scene, pane.left, pane.right, pane.distance, pane.color, pane.opacity);
     }
     return scene;
-}
-
-View square(int side)
-{
-    View view;
-    view.width = view.height = side;
-    view.samples = 1;
-    return view;
-}
-
-Image draw(const Scene& scene, const View& view, const std::string& method)
-{
-    Options options;
-    options.threads = 1;
-    options.method = method;
-    return render(scene, view, options).image;
 }
 
 const std::vector<Pane> kLayers = {{-1, 1, 2, {1, 0, 0}, 0.5f},
@@ -85,7 +54,7 @@ TEST(ReducedPicture, OfLayersThatAreTheSameEverywhereIsTheWholeOne)
 {
     const Scene scene = panes(kLayers);
     for (const int samples : {1, 4}) {
-        View view = square(50);  // 8 does not divide it
+        View view = square(50, 1);  // 8 does not divide it
         view.samples = samples;
         for (const std::string passes : {"1", "2"}) {
             const std::string method = "moment:moment-passes=" + passes;
@@ -108,7 +77,7 @@ TEST(ReducedPicture, OfLayersThatAreTheSameEverywhereIsTheWholeOne)
 // they would see the wall's texel without the layers behind it.
 TEST(ReducedPicture, TheFarthestOpaqueDepthHides)
 {
-    const View view = square(64);
+    const View view = square(64, 1);
     const float edge = 2.0f * 36 / 64 - 1;  // pixel 36: the middle of the fifth texel of 8
     const Pane wall{edge, 1, 4, {0.5f, 0.5f, 0.5f}};
     const std::string method = "moment:resolution=1/8";
@@ -134,7 +103,7 @@ TEST(ReducedPicture, TheFarthestOpaqueDepthHides)
 // all that they lack. What two further divisions of doubles change is invisible.
 TEST(ReducedPicture, DepthAwareReadingSeesWhatTexelsMiss)
 {
-    const View view = square(64);
+    const View view = square(64, 1);
     const float left = 2.0f * 33 / 64 - 1, right = 2.0f * 34 / 64 - 1;
     const Scene scene = panes(with_layers({{left, right, 1, {1, 1, 1}, 0.9f}}));
     const Image whole = draw(scene, view, "moment");
@@ -152,7 +121,7 @@ TEST(ReducedPicture, DepthAwareReadingSeesWhatTexelsMiss)
 TEST(ReducedPicture, HasTheSameBitsWhateverDrawsIt)
 {
     const Scene scene = load("builtin:grass-and-smoke?particles=60");
-    View view = square(70);
+    View view = square(70, 1);
     view.height = 50;
     for (const char* method : {"moment:resolution=1/8", "moment:resolution=1/2:moment-passes=2",
                                "moment:resolution=1/4:upsample=depth-aware:format=unorm16"}) {
@@ -178,7 +147,7 @@ TEST(ReducedPicture, HasAStageOfItsOwn)
 {
     Options options;
     options.method = "moment:resolution=1/8";
-    const Stats stats = render(panes(kLayers), square(64), options).stats;
+    const Stats stats = render(panes(kLayers), square(64, 1), options).stats;
     const auto is = [](const char* name) {
         return [name](const PassTime& pass) { return pass.name == name; };
     };
@@ -186,7 +155,7 @@ TEST(ReducedPicture, HasAStageOfItsOwn)
               1);
     EXPECT_EQ(std::count_if(stats.ms_passes.begin(), stats.ms_passes.end(), is("moments")), 0);
     options.memory_limit = 1;
-    EXPECT_THROW(render(panes(kLayers), square(64), options), Error);
+    EXPECT_THROW(render(panes(kLayers), square(64, 1), options), Error);
 }
 
 }  // namespace sheer
