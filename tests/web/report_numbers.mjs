@@ -100,7 +100,10 @@ export const numberTests = {
     await page.fill('#filter', 'stoch 4');
     assert.deepEqual(await cells(page, 'name'), ['stochastic:masks=naive, 4 samples']);
     assert.equal(await page.textContent('#shown'), '1 of 12 results');
+    const failing = () => page.$$eval('#failures tbody th', (all) => all.map((h) => h.innerText));
+    assert.deepEqual(await failing(), ['stochastic:masks=naive, 4 samples']);
     await page.fill('#filter', '');
+    assert.equal((await failing()).length, 12);
   },
 
   // By definition: the least error of the method's rows that cost no more.

@@ -1,5 +1,6 @@
 // Where the errors are: by what a pixel's transparent fragments are like. A row of cells for each
-// result, the darker the larger, and the two results of the pictures as lines.
+// result that the table's filter leaves, the darker the larger, and the two results of the pictures
+// as lines.
 'use strict';
 
 const failures = {chart: null};
@@ -21,8 +22,8 @@ function fillFailures(scale) {
       make('small', {}, `${(100 * pixels / all).toFixed(1)} %`)));
   byId('failures').tHead.replaceChildren(make('tr', {}, make('th', {scope: 'col'}, 'method'),
                                               ...heads));
-  const rows = [...data.results].sort((a, b) => a.rmse_same_s - b.rmse_same_s);
-  const most = Math.max(...rows.flatMap((row) => row.failures[scale.id].filter(isNumber)));
+  const rows = filteredRows().sort((a, b) => a.rmse_same_s - b.rmse_same_s);
+  const most = Math.max(...data.results.flatMap((row) => row.failures[scale.id].filter(isNumber)));
   byId('failures').tBodies[0].replaceChildren(...rows.map((row) => make(
       'tr', {'data-key': row.key}, make('th', {scope: 'row'}, row.label),
       ...row.failures[scale.id].map((value) => failureCell(value, most)))));
@@ -76,6 +77,7 @@ function startFailures() {
     byId('kind').append(make('option', {value: scale.id}, scale.title));
   }
   byId('kind').addEventListener('change', drawFailures);
+  byId('filter').addEventListener('input', () => fillFailures(scaleOf()));
   matchMedia('(prefers-color-scheme: dark)').addEventListener('change', drawFailureLines);
   drawFailures();
 }

@@ -30,9 +30,13 @@ function compareRows(column, a, b) {
   return table.descending ? y - x : x - y;
 }
 
-function matchesFilter(row, words) {
-  const text = `${row.name} ${row.samples}`.toLowerCase();
-  return words.every((word) => text.includes(word));
+// Those that the filter's words leave.
+function filteredRows() {
+  const words = byId('filter').value.toLowerCase().split(/\s+/).filter(Boolean);
+  return data.results.filter((row) => {
+    const text = `${row.name} ${row.samples}`.toLowerCase();
+    return words.every((word) => text.includes(word));
+  });
 }
 
 function rowElement(row) {
@@ -43,9 +47,8 @@ function rowElement(row) {
 }
 
 function fillTable() {
-  const words = byId('filter').value.toLowerCase().split(/\s+/).filter(Boolean);
   const column = [nameColumn, ...columns].find((c) => c.id === table.sort);
-  const rows = data.results.filter((row) => matchesFilter(row, words));
+  const rows = filteredRows();
   rows.sort((a, b) => compareRows(column, a, b));
   byId('results').tBodies[0].replaceChildren(...rows.map(rowElement));
   for (const th of byId('results').tHead.querySelectorAll('th[data-column]')) {
