@@ -113,8 +113,8 @@ MethodRow slab_row()
          .parameters =
              {{"layers", "1..32", "8", "kept at each sample, near to far"},
               {"bits", "1..128|infinity", "32",
-               "of coverage: as many as layers for stochastic transparency, infinity for a "
-               "k-buffer"},
+               "of coverage: as many as layers for stochastic transparency, infinity for exact "
+               "opacities, with depth-based=off a k-buffer that discards"},
               {"coverage", "explicit|implicit", "explicit",
                "layers have random masks, or opacities and the chance of such a mask to be seen"},
               {"probability", "naive|stratified", "stratified",

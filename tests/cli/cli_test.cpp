@@ -51,8 +51,8 @@ TEST(CommandLine, NamesWhatItDoesNotKnow)
                    "--methods: there is no method 'wbiot' (did you mean 'wboit'?); there are ");
     expect_refused({"compare", "builtin:quads", "-o", "out", "--methods", "stochastic:mask=naive"},
                    "stochastic has no parameter 'mask' (did you mean 'masks'?); it has ");
-    expect_refused({"reproduce", "stochastic-figure-7", "-o", "out"},
-                   "figure 'stochastic-figure-7' (did you mean 'stochastic-figure-");
+    expect_refused({"reproduce", "stochastic-figure-0", "-o", "out"},
+                   "figure 'stochastic-figure-0' (did you mean 'stochastic-figure-");
     expect_render_refused({"--method", "mlba"}, "--method: there is no method 'mlba' (did you");
     expect_refused({"info", "builtin:motr"}, "no such scene (did you mean 'motor'?); there are ");
     expect_refused({"info", "builtin:layers?alhpa=1"}, "parameter (did you mean 'alpha'?); there");

@@ -24,6 +24,31 @@ using Json = nlohmann::json;
 // are fixed, so that it either is or is not.
 constexpr double kLargestZ = 5.5;
 
+TEST(CliReproduceContinuum, FourFragmentsAreLostAsOftenAsChanceSays)
+{
+    const Json json = reproduce(Tool(), "slab-example");
+    ASSERT_EQ(json["tables"].size(), 2u);
+    std::map<std::string, double> lost;
+    for (const Json& row : json["tables"][1]["rows"]) {
+        const std::string store = row["store"].get<std::string>();
+        lost[store + ", " + row["surface"].get<std::string>()] = row["% of pixels"].get<double>();
+        if (row["z"].is_null()) {
+            EXPECT_EQ(row["% of pixels"], row["exact"]) << row;
+        } else {
+            EXPECT_LT(std::abs(row["z"].get<double>()), kLargestZ) << row;
+        }
+    }
+    EXPECT_EQ(lost.size(), 6u * 4u);
+    // Of the eight samples that green leaves red takes m in C(8, m)^2 of C(16, 8) masks, and blue
+    // all others in C(8 + m, m) of them, none in C(8 + m, 8): summed over m 5.913 %, both. Of
+    // 10,000 pixels the standard error is 0.236 %.
+    EXPECT_NEAR(lost["stochastic transparency, 16 samples, yellow"], 5.913, kLargestZ * 0.236);
+    EXPECT_NEAR(lost["SLAB, k = 4, b = 16, blue"], 5.913, kLargestZ * 0.236);
+    // But where red's mask is green's, one in C(16, 8).
+    EXPECT_NEAR(lost["SLAB, k = 2, b = 16, blue"], 100, 0.1);
+    EXPECT_NEAR(lost["SLAB, k = 2, b = 16, yellow"], 100, 1e-6);
+}
+
 TEST(CliReproduceContinuum, KnobTradesNoiseForBias)
 {
     const Json json = reproduce(Tool(), "slab-knob");

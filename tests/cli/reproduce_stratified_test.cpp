@@ -157,5 +157,41 @@ TEST(CliReproduceStratified, ErrorsOfModelsFallWithSamples)
     }
 }
 
+// Table 1: both fall with the samples, ours faster.
+TEST(CliReproduceStratified, Table1sRatiosFall)
+{
+    const Json json = reproduce(Tool(), "stratified-table-1");
+    for (const std::size_t model : {0u, 3u}) {
+        const Json& rows = json["tables"][model]["rows"];
+        ASSERT_EQ(rows.size(), 5u);
+        for (std::size_t i = 0; i < 5; ++i) {
+            EXPECT_LT(at(rows[i], "ratio here"), 1) << rows[i];
+            if (i == 0) continue;
+            EXPECT_LT(at(rows[i], "ours"), at(rows[i - 1], "ours"));
+            EXPECT_LT(at(rows[i], "comparison here"), at(rows[i - 1], "comparison here"));
+        }
+        // Edges of triangles hide it elsewhere.
+        EXPECT_LT(at(rows[4], "ratio at pixel centres"), at(rows[0], "ratio at pixel centres"));
+    }
+    EXPECT_EQ(json["claims"].size(), 10u);
+}
+
+// Stratified samples in the method of several passes are better than the basic one's without.
+TEST(CliReproduceStratified, CombinedBeatsTheBasicMethod)
+{
+    const Json json = reproduce(Tool(), "stratified-combined");
+    for (const Json& table : json["tables"]) {
+        if (table["title"] != "motor" && table["title"] != "cloth") continue;
+        std::map<int, double> basic;
+        for (const Json& row : table["rows"]) {
+            const int samples = row["samples"].get<int>();
+            if (row["estimator"] == "basic") basic[samples] = at(row, "stratified");
+            if (row["estimator"] != "D") continue;
+            EXPECT_LT(at(row, "tracked"), basic[samples]) << row;
+        }
+        EXPECT_FALSE(basic.empty());
+    }
+}
+
 }  // namespace
 }  // namespace sheer::test

@@ -24,8 +24,9 @@ TEST(CliReproduce, ListsWhatThereIs)
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (const char* name :
          {"stochastic-examples", "stochastic-bias", "stochastic-visibility", "stochastic-figure-1",
-          "stochastic-figure-2", "stochastic-figure-4", "stochastic-figure-5", "stochastic-cost",
-          "stochastic-peeling", "stochastic-seeding", "stochastic-adaptive"}) {
+          "stochastic-figure-2", "stochastic-figure-4", "stochastic-figure-5",
+          "stochastic-figure-7", "stochastic-figure-8", "stochastic-cost", "stochastic-peeling",
+          "stochastic-seeding", "stochastic-adaptive"}) {
         EXPECT_NE(outcome.out.find(std::string(name) + "  "), std::string::npos) << name;
     }
     const Outcome help = tool.run({"reproduce", "--help"});
@@ -160,6 +161,46 @@ TEST(CliReproduce, Figure1TellsShadowsErrorsFromTheMethods)
     EXPECT_LT(rows[0]["rmse same S"], rows[1]["rmse same S"]);
     EXPECT_EQ(rows[2]["rmse same S"], 0);
     for (const Json& row : rows) EXPECT_GT(row["rmse, exact shadows"], 0) << row;
+}
+
+// The paper's order of the three, of the motor with 8 samples at the centre.
+TEST(CliReproduce, Figure4sErrorsFall)
+{
+    const Json json = reproduce(Tool(), "stochastic-figure-4");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_GT(rows[0]["rmse same S"], rows[1]["rmse same S"]);
+    EXPECT_GT(rows[1]["rmse same S"], rows[2]["rmse same S"]);
+}
+
+// Two walls of opacity .5 that share one mask let through .5 instead of .25.
+TEST(CliReproduce, OneSeedForBothSidesOfACylinderLetsTooMuchThrough)
+{
+    const Json json = reproduce(Tool(), "stochastic-seeding");
+    const Json& rows = json["tables"][1]["rows"];
+    ASSERT_EQ(rows.size(), 4u);
+    for (const Json& row : rows) {
+        const double off = row["too transparent by"].get<double>();
+        const double error = row["standard error"].get<double>();
+        if (row["seeded by"] == "object-alone") {
+            EXPECT_NEAR(off, 0.25, 5 * error) << row;
+        } else {
+            EXPECT_NEAR(off, 0, 5 * error) << row;
+        }
+    }
+}
+
+TEST(CliReproduce, ModelsAreDrawnOverTheirOwnShadows)
+{
+    const Tool tool;
+    for (const char* name : {"stochastic-figure-7", "stochastic-figure-8"}) {
+        const Json json = reproduce(tool, name);
+        const Json& rows = json["tables"][0]["rows"];
+        ASSERT_EQ(rows.size(), 3u);
+        EXPECT_LT(rows[0]["rmse same S"], rows[1]["rmse same S"]) << name;
+        EXPECT_EQ(rows[2]["rmse same S"], 0) << name;
+        EXPECT_FALSE(rows[0].contains("rmse, exact shadows")) << name;
+    }
 }
 
 // Stratified masks vary less than naive ones, and the corrected map is exact for what lies behind

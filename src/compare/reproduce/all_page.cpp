@@ -177,7 +177,7 @@ Count count_claims(const PageContent& entry)
 
 std::string count_text(const Count& count)
 {
-    return count.all == 0 ? "the paper has no number for it"
+    return count.all == 0 ? "none is compared"
                           : std::to_string(count.agree) + " of " + std::to_string(count.all);
 }
 

@@ -8,8 +8,8 @@
 #include "compare/depth_functions.h"
 #include "compare/reproduce/chart.h"
 #include "compare/reproduce/entries.h"
+#include "compare/reproduce/moment_layers.h"
 #include "compare/reproduce/page.h"
-#include "support/math.h"
 #include "support/random.h"
 #include "support/text.h"
 
@@ -36,40 +36,8 @@ constexpr const char* kMethods[] = {
 };
 
 constexpr int kSamples = 8;         // a pixel, of the random one; the others have the same at all
-constexpr double kLeft = 0.1;       // what passes through all layers
 constexpr int kPerCluster = 4;      // layers
 constexpr double kWidth = 0x1p-12;  // of a cluster
-
-// Places are from -1 to 1, over which the methods' depth goes.
-struct Layer {
-    double place, opacity;
-};
-using Layers = std::vector<Layer>;
-
-// Optical depths vary by a factor of three and add up to that of all.
-void set_opacities(const CounterRandom& random, Layers& layers)
-{
-    std::vector<double> depths;
-    double sum = 0;
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        depths.push_back(0.5 + random.uniform(2 * i));
-        sum += depths.back();
-    }
-    for (std::size_t i = 0; i < layers.size(); ++i) {
-        layers[i].opacity = 1 - own_exp(own_log(kLeft) * depths[i] / sum);
-    }
-}
-
-Layers random_layers(int count, std::uint64_t trial)
-{
-    const CounterRandom random{trial};
-    Layers layers;
-    for (int i = 0; i < count; ++i) {
-        layers.push_back({2 * random.uniform(2 * static_cast<std::uint64_t>(i) + 1) - 1, 0});
-    }
-    set_opacities(random, layers);
-    return layers;
-}
 
 // Two clusters, anywhere.
 Layers clusters(double gap, std::uint64_t trial)
@@ -83,24 +51,6 @@ Layers clusters(double gap, std::uint64_t trial)
     }
     set_opacities(random, layers);
     return layers;
-}
-
-// Seen straight on by an eye without perspective, from 2 to 4 m, between which floats are equally
-// far apart.
-PixelFragments pixel_of(const Layers& layers)
-{
-    PixelFragments pixel(0, 0);
-    pixel.eye = {true, 0.1f, 1000.0f, 2.0f, 4.0f};
-    for (const Layer& layer : layers) {
-        PixelFragment f{};
-        f.depth = static_cast<float>(3 + layer.place);
-        f.run.depth.least = f.run.depth.most = f.depth;
-        f.run.primitive = static_cast<std::uint32_t>(pixel.fragments.size());
-        f.samples = ~0ull;
-        f.opacity = static_cast<float>(layer.opacity);
-        pixel.fragments.push_back(f);
-    }
-    return pixel;
 }
 
 // Sum of squares, and of how many.
@@ -122,13 +72,6 @@ void add_errors(const ChosenMethod& method, const PixelFragments& pixel,
         squares.sum += error * error;
         squares.count += 1;
     }
-}
-
-std::vector<float> own_depths(const PixelFragments& pixel)
-{
-    std::vector<float> depths;
-    for (const PixelFragment& f : pixel.fragments) depths.push_back(f.depth);
-    return depths;
 }
 
 // Of a pixel of clusters(), whose fragments are in order of their clusters.
