@@ -197,6 +197,32 @@ TEST(CliReproduceContinuum, TableHasEveryMethod)
     }
 }
 
+// Of real files the five with the most fragments, each in a table of its own.
+TEST(CliReproduceContinuum, FilesStandBesideTheScenes)
+{
+    const char* folder = std::getenv("SHEER_SCENES");
+    if (folder == nullptr) GTEST_SKIP() << "SHEER_SCENES names no folder with real files";
+    const Tool tool;
+    const Outcome outcome = tool.run({"reproduce", "continuum-table", "--quick", "--scenes",
+                                      std::string(folder) + "/gltf", "-o", "out"});
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = Json::parse(text_of(tool.file("out/continuum-table.json")));
+    ASSERT_EQ(json["tables"].size(), 3u + 3u + 5u);  // of all, of three scenes, of the files
+    for (std::size_t file = 6; file < 11; ++file) {
+        const Json& rows = json["tables"][file]["rows"];
+        EXPECT_EQ(rows.size(), json["tables"][0]["rows"].size());
+        double most = 0;
+        for (const Json& row : rows) {
+            EXPECT_GT(row["bytes a pixel"], 0) << row;
+            const bool random = choose_method(row["method"].get<std::string>()).traits().random;
+            most = std::max(most, row["rmse"].get<double>());
+            if (random) continue;
+            EXPECT_EQ(row["noise"], 0) << row;
+        }
+        EXPECT_GT(most, 1) << json["tables"][file]["title"];  // something is seen through
+    }
+}
+
 TEST(CliReproduceContinuum, RefusesAFolderThatIsNone)
 {
     const Tool tool;
