@@ -237,12 +237,19 @@ TEST(Laws, MergedPartsAreTheWholeAsTheRowSays)
                              rounding_bound(setting.method, operations).reordered);
         }
         if (claim != Agreement::none) return;
-        Tile early(setting), late(setting);
-        early.insert(std::span(plates).first(20));
-        late.insert(std::span(plates).subspan(20));
-        late.merge(early);
-        EXPECT_GT(largest_difference(late.resolve(backdrop), expected),
-                  rounding_bound(setting.method, plates.size() + 2).reordered);
+        // Opaque plates in front may hide it; not in front of each of ten.
+        const double bound = rounding_bound(setting.method, plates.size() + 2).reordered;
+        double most = 0;
+        for (int more = 0; more < 10 && most <= bound; ++more) {
+            if (more > 0) plates = RandomPlates{*setting.set, random}.make(40);
+            Tile early(setting), late(setting);
+            early.insert(std::span(plates).first(20));
+            late.insert(std::span(plates).subspan(20));
+            late.merge(early);
+            most = largest_difference(late.resolve(backdrop),
+                                      resolve_plates(setting, plates, backdrop));
+        }
+        EXPECT_GT(most, bound);
     });
 }
 

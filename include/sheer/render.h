@@ -29,6 +29,21 @@ enum class AlphaMips {
     straight,       // means of colours as they are: halos of what artists left in absent texels
     coverage,       // premultiplied; then alpha is scaled so that of each level as large a part
                     // passes an alpha test as of the image. I. Castaño 2010
+    thresholds,     // premultiplied; MASK surfaces are tested at a cutoff of each level's own, of
+                    // which the same is so
+};
+
+// How MASK surfaces are rasterised. The others always are where they cover samples.
+enum class Conservative {
+    off,      // where they cover samples
+    touched,  // a triangle covers all samples of each pixel that it touches
+    area,     // the same, and its opacity there is multiplied by the part of the pixel that it has
+};
+
+// Where surfaces are shaded whose opacities a texture has. The others always are by fragments.
+enum class ShadeAt {
+    fragment,  // once for all samples of a pixel that a triangle covers, at their centroid
+    sample,    // at each of these for itself, with textures as sharp as samples are dense
 };
 
 enum class ShadowKind {
@@ -85,6 +100,8 @@ struct View {
     std::optional<float> fov;  // full vertical angle in degrees, of that camera
     AlphaMips alpha_mips = AlphaMips::premultiplied;
     int texture_levels = 0;  // of each texture that are used, the largest first, 1 to 16; 0: all
+    Conservative conservative = Conservative::off;
+    ShadeAt shade_at = ShadeAt::fragment;
     // Of all samples, right and down, in 1/256 pixel, -255 to 255: what leaves a pixel on one side
     // comes back on the other. Samples at the pixel's centre stay there.
     std::array<int, 2> sample_shift = {0, 0};

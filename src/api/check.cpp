@@ -280,6 +280,9 @@ void check_view(const View& view, const Options& options)
                " is not one of 1, 2, 4, 8, 16, 32, 64");
     }
     check_whole("texture-levels", view.texture_levels, 0, 16);
+    if (view.conservative != Conservative::off && view.shade_at == ShadeAt::sample) {
+        refuse("conservative: not together with shading at each sample");
+    }
     if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
     check_shadows(view.shadows);
     check_noise(options);

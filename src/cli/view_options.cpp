@@ -21,10 +21,17 @@ constexpr std::array<std::pair<const char*, SamplePositions>, 2> kPositions = {
 constexpr std::array<std::pair<const char*, Filter>, 2> kFilters = {
     {{"box", Filter::box}, {"gaussian", Filter::gaussian}}};
 
-constexpr std::array<std::pair<const char*, AlphaMips>, 3> kAlphaMips = {
+constexpr std::array<std::pair<const char*, AlphaMips>, 4> kAlphaMips = {
     {{"premultiplied", AlphaMips::premultiplied},
      {"straight", AlphaMips::straight},
-     {"coverage", AlphaMips::coverage}}};
+     {"coverage", AlphaMips::coverage},
+     {"thresholds", AlphaMips::thresholds}}};
+
+constexpr std::array<std::pair<const char*, Conservative>, 3> kConservative = {
+    {{"off", Conservative::off}, {"touched", Conservative::touched}, {"area", Conservative::area}}};
+
+constexpr std::array<std::pair<const char*, ShadeAt>, 2> kShadeAt = {
+    {{"fragment", ShadeAt::fragment}, {"sample", ShadeAt::sample}}};
 
 constexpr std::array<std::pair<const char*, Simd>, 5> kLevels = {{{"scalar", Simd::scalar},
                                                                   {"sse4", Simd::sse4},
@@ -68,7 +75,8 @@ void add_texture_options(CLI::App& command, View& view)
     add_value(command, "--alpha-mips", "KIND",
               "Smaller levels of textures with opacities: premultiplied;\n"
               "straight, with halos; coverage, of which as much passes\n"
-              "an alpha test as of the image (premultiplied)",
+              "an alpha test as of the image; thresholds, the same of\n"
+              "MASK surfaces by a cutoff of each level (premultiplied)",
               [&view](auto& option, auto& text) {
                   view.alpha_mips = parse_choice(option, text, kAlphaMips);
               })
@@ -78,6 +86,24 @@ void add_texture_options(CLI::App& command, View& view)
               [&view](auto& option, auto& text) {
                   view.texture_levels = parse_whole(option, text, 0, 16);
               })
+        ->group(kGroup);
+}
+
+void add_fragment_options(CLI::App& command, View& view)
+{
+    add_value(command, "--conservative", "off|touched|area",
+              "MASK surfaces cover all samples of each pixel that they\n"
+              "touch; area: with as large a part of their opacity as they\n"
+              "have of the pixel (off)",
+              [&view](auto& option, auto& text) {
+                  view.conservative = parse_choice(option, text, kConservative);
+              })
+        ->group(kGroup);
+    add_value(
+        command, "--shade-at", "fragment|sample",
+        "Surfaces whose opacities are in a texture: once a pixel,\n"
+        "or at each of its samples (fragment)",
+        [&view](auto& option, auto& text) { view.shade_at = parse_choice(option, text, kShadeAt); })
         ->group(kGroup);
 }
 
@@ -144,6 +170,7 @@ void add_view_options(CLI::App& command, ViewOptions& given)
 {
     add_picture_options(command, given.view);
     add_texture_options(command, given.view);
+    add_fragment_options(command, given.view);
     add_camera_options(command, given.view);
     add_shadow_options(command, given.view.shadows);
     add_machine_options(command, given.options);

@@ -60,6 +60,7 @@ Image render_truth(const Scene& scene, const View& view, const Options& options,
 {
     View sampled = view;
     sampled.samples = kTruthSamples;
+    sampled.conservative = Conservative::off;
     const int count = passes_for(view, passes);
     const Take take{choose_method("exact"), {0}};
     std::vector<std::array<double, 4>> sums;

@@ -97,12 +97,18 @@ TextureMips texture_mips(const View& view)
     return {view.alpha_mips, view.texture_levels};
 }
 
+FragmentKinds fragment_kinds(const View& view)
+{
+    const bool apart = view.samples > 1 && view.positions != SamplePositions::center;
+    return {view.conservative, apart && view.shade_at == ShadeAt::sample};
+}
+
 FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
                                const Eye& eye, int threads, std::span<const Take> takes)
 {
     const Shadowed shadowed = view.shadows.kind == ShadowKind::none ? Shadowed::no : Shadowed::yes;
-    FrameSurfaces result =
-        make_surfaces({scene, view.exposure, eye, threads, shadowed, texture_mips(view)});
+    FrameSurfaces result = make_surfaces(
+        {scene, view.exposure, eye, threads, shadowed, texture_mips(view), fragment_kinds(view)});
     const auto sorts_objects = [](const Take& take) {
         return take.method.wants().submission == Submission::objects_sorted;
     };
@@ -187,7 +193,9 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     const TargetSet targets = targets_of(options.simd);
     const SubpixelShift shift{request.shift.x + view.sample_shift[0],
                               request.shift.y + view.sample_shift[1]};
-    const SampleSet samples = make_sample_set(view.samples, view.positions, shift);
+    const SampleSet covered = make_sample_set(view.samples, view.positions, shift);
+    const SampleSet samples =
+        view.conservative == Conservative::off ? covered : with_whole_pixels(covered);
     const SampleFilter filter(view.filter, samples);
     const TileGrid grid{view.width, view.height, filter.reach()};
 

@@ -1,5 +1,6 @@
 // Where a triangle's fragments are shaded: perspective-correct weights at the centroid of the
-// covered samples, and depth at the pixel's centre.
+// covered samples, or of what the triangle has of the pixel where it is drawn conservatively, and
+// depth at the pixel's centre.
 #if defined(SHEER_LOCATE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SHEER_LOCATE_INL_H
 #undef SHEER_LOCATE_INL_H
@@ -86,8 +87,13 @@ HWY_INLINE LocatedOnScreen locate_on_screen(const PlaneBatch& planes, const Bloc
     at.depth =
         of.of(planes.depth[0]) + at.b1 * of.of(planes.depth[1]) + at.b2 * of.of(planes.depth[2]);
     at.x = at.y = real(0.0f);
-    if (set.centered) return at;
-    centroid(set, list, i, at.x, at.y);
+    if (list.overlaps != nullptr) {
+        at.x = real::load(list.overlaps->x.data() + i);
+        at.y = real::load(list.overlaps->y.data() + i);
+    } else {
+        if (set.centered) return at;
+        centroid(set, list, i, at.x, at.y);
+    }
     const auto along = [&](const WeightBatch& w)
                            HWY_ATTR { return at.x * of.of(w.dx) + at.y * of.of(w.dy); };
     at.b1 = at.b1 + along(planes.weight1);

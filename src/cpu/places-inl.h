@@ -22,12 +22,13 @@ HWY_INLINE WeightsOnScreen weights_on_screen(const PlaneBatch& planes, const Blo
 {
     using real = Block::real;
     const WeightBatch &weight1 = planes.weight1, &weight2 = planes.weight2;
+    const real spacing(planes.spacing);
     const WeightsOnScreen affine{at.b1,
                                  at.b2,
-                                 of.of(weight1.pixel_x),
-                                 of.of(weight2.pixel_x),
-                                 of.of(weight1.pixel_y),
-                                 of.of(weight2.pixel_y)};
+                                 spacing * of.of(weight1.pixel_x),
+                                 spacing * of.of(weight2.pixel_x),
+                                 spacing * of.of(weight1.pixel_y),
+                                 spacing * of.of(weight2.pixel_y)};
     if (planes.all_affine) return affine;
     const real inverse0 = of.of(planes.inverse_w[0]), inverse1 = of.of(planes.inverse_w[1]),
                inverse2 = of.of(planes.inverse_w[2]);

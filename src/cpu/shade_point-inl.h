@@ -50,10 +50,14 @@ HWY_INLINE ShadePoint<Block> shade_point(const PlaneBatch& planes, std::size_t k
     const WeightBatch &weight1 = planes.weight1, &weight2 = planes.weight2;
     p.w1 = at.b1;
     p.w2 = at.b2;
-    p.w1_x = real(weight1.pixel_x[k]);
-    p.w2_x = real(weight2.pixel_x[k]);
-    p.w1_y = real(weight1.pixel_y[k]);
-    p.w2_y = real(weight2.pixel_y[k]);
+    const float w1_x = weight1.pixel_x[k] * planes.spacing,
+                w2_x = weight2.pixel_x[k] * planes.spacing,
+                w1_y = weight1.pixel_y[k] * planes.spacing,
+                w2_y = weight2.pixel_y[k] * planes.spacing;
+    p.w1_x = real(w1_x);
+    p.w2_x = real(w2_x);
+    p.w1_y = real(w1_y);
+    p.w2_y = real(w2_y);
     if (rays.orthographic) {
         p.to_eye = Vec::of(rays.back);
         return p;
@@ -74,8 +78,8 @@ HWY_INLINE ShadePoint<Block> shade_point(const PlaneBatch& planes, std::size_t k
         w1 = (real(g1_step) - p.w1 * sum_step) * w;
         w2 = (real(g2_step) - p.w2 * sum_step) * w;
     };
-    steps(weight1.pixel_x[k], weight2.pixel_x[k], p.w1_x, p.w2_x);
-    steps(weight1.pixel_y[k], weight2.pixel_y[k], p.w1_y, p.w2_y);
+    steps(w1_x, w2_x, p.w1_x, p.w2_x);
+    steps(w1_y, w2_y, p.w1_y, p.w2_y);
     return p;
 }
 

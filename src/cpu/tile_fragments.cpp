@@ -47,6 +47,40 @@ inline std::size_t end_of_covered(const TriangleBatch& batch, std::size_t first,
     return end;
 }
 
+// Triangle k's fragments of sample after sample, each shaded there: `finish` as of cover_batch.
+template <class Finish>
+inline void cover_by_sample(Tile& tile, std::size_t k, CoverageList& list, int most,
+                            Finish&& finish)
+{
+    TriangleBatch& batch = tile.batch;
+    std::vector<std::uint32_t>& pixels = tile.scratch.sampled_pixel;
+    std::vector<std::uint64_t>& samples = tile.scratch.sampled;
+    if (most - list.count < most_fragments(batch, k)) finish(k, k, list);
+    const int before = list.count;
+    cover(tile.job, tile.setup, k, k + 1, batch, list);
+    pixels.assign(list.pixel + before, list.pixel + list.count);
+    samples.clear();
+    for (int i = before; i < list.count; ++i) {
+        const bool is_high = tile.job.samples->count > 32;
+        samples.push_back(is_high ? list.samples(i) : list.low[i]);
+    }
+    list.count = before;
+    for (int s = 0; s < tile.job.samples->count; ++s) {
+        if (most - list.count < static_cast<int>(pixels.size())) finish(k, k, list);
+        batch.begin[k] = list.count;
+        for (std::size_t i = 0; i < pixels.size(); ++i) {
+            if ((samples[i] >> s & 1) == 0) continue;
+            const std::uint64_t bit = std::uint64_t{1} << s;
+            list.pixel[list.count] = pixels[i];
+            list.low[list.count] = static_cast<std::uint32_t>(bit);
+            list.high[list.count] = static_cast<std::uint32_t>(bit >> 32);
+            ++list.count;
+        }
+        batch.begin[k + 1] = list.count;
+        if (batch.begin[k] < list.count) finish(k, k + 1, list);
+    }
+}
+
 // Covers the batch's triangles and shades them: `finish(first, end, list)` takes those of triangles
 // first, ..., end - 1 and leaves the list as far as it is to stay; of none where no more fragments
 // would fit. `most`: the list's room.
@@ -55,6 +89,21 @@ HWY_INLINE void cover_batch(Tile& tile, CoverageList& list, int most, Finish&& f
 {
     TriangleBatch& batch = tile.batch;
     set_up(tile.job, batch);
+    if (batch.conservative) {
+        OverlapList& overlaps = tile.scratch.overlaps;
+        const auto room = static_cast<std::size_t>(most + FragmentStream::kSlack);
+        for (std::vector<float>* values : {&overlaps.part, &overlaps.x, &overlaps.y}) {
+            values->resize(room);
+        }
+        list.overlaps = &overlaps;
+    }
+    if (tile.surface().at_samples && !batch.conservative) {
+        for (std::size_t k = 0; k < batch.count; ++k) {
+            if (most_fragments(batch, k) > 0) cover_by_sample(tile, k, list, most, finish);
+        }
+        batch.count = 0;
+        return;
+    }
     for (std::size_t first = 0; first < batch.count;) {
         const int room = std::min(most - list.count, TriangleBatch::kMostCovered);
         const std::size_t end = end_of_covered(batch, first, room);

@@ -51,6 +51,10 @@ struct TileScratch {
     std::vector<ShadowReceiver> receivers;
     // Of a batch of opaque triangles.
     AlignedArray<std::uint32_t> pixel, low, high;
+    // Of surfaces that are drawn conservatively, or at each sample.
+    OverlapList overlaps;
+    std::vector<std::uint32_t> sampled_pixel;
+    std::vector<std::uint64_t> sampled;
 
     TileScratch()
         : pixel(kTilePixels + FragmentStream::kSlack),

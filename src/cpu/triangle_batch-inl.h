@@ -16,6 +16,7 @@
 #include "cpu/tile_fragments.h"
 #include "raster/coverage-inl.h"
 #include "raster/coverage_wide.h"
+#include "raster/pixel_overlap.h"
 #include "shade/detail-inl.h"
 #include "shade/surface-inl.h"
 
@@ -49,6 +50,7 @@ struct TriangleBatch {
     SurfaceBatch<Block> varying;
     // Triangle k's fragments in the list are begin[k], begin[k] + 1, ... before begin[k + 1].
     int begin[kMost + 1];
+    bool conservative = false;
     // The triangle of each fragment in the list, from the first that waits for shading on.
     alignas(64) std::int32_t owner[kMostCovered + Block::kCount] = {};
 
@@ -90,6 +92,12 @@ HWY_INLINE void set_up_surfaces(const TileJob& job, const Surface& surface, Tria
     }
 }
 
+// How far fragments are from one another, in pixels: samples are so dense.
+inline float spacing_of(const Surface& surface, const SampleSet& set)
+{
+    return surface.at_samples ? std::sqrt(1.0f / static_cast<float>(set.count)) : 1.0f;
+}
+
 HWY_INLINE void set_up(const TileJob& job, TriangleBatch& batch)
 {
     const Surface& surface = job.surfaces->surfaces[batch.object()];
@@ -97,14 +105,41 @@ HWY_INLINE void set_up(const TileJob& job, TriangleBatch& batch)
                  batch.edges);
     set_up_planes(batch.corners, batch.depth, batch.count, job.rect, job.geometry->orthographic,
                   batch.planes);
+    batch.conservative = surface.conservative != Conservative::off;
+    batch.planes.spacing = spacing_of(surface, *job.samples);
     if (surface.detail == nullptr) set_up_surfaces(job, surface, batch);
 }
 
 // The most fragments that triangle k can have.
 HWY_INLINE int most_fragments(const TriangleBatch& batch, std::size_t k)
 {
-    if ((batch.edges.outside >> k & 1) != 0) return 0;
-    return batch.edges.width[k] * batch.edges.height[k];
+    const bool outside = (batch.edges.outside >> k & 1) != 0;  // of any sample
+    if (outside && !batch.conservative) return 0;
+    return std::max(batch.edges.width[k], 0) * std::max(batch.edges.height[k], 0);
+}
+
+// The pixels of the picture that triangle k may cover.
+HWY_INLINE PixelRect region_of(const TileJob& job, const TriangleBatch& batch, std::size_t k)
+{
+    const int x = job.rect.x0 + batch.edges.x0[k], y = job.rect.y0 + batch.edges.y0[k];
+    return {x, y, x + batch.edges.width[k], y + batch.edges.height[k]};
+}
+
+// As `cover`, of surfaces that are drawn conservatively.
+inline void cover_conservatively(const TileJob& job, std::size_t first, std::size_t end,
+                                 TriangleBatch& batch, CoverageList& list)
+{
+    const int before = list.count;
+    const bool counts = job.surfaces->surfaces[batch.object()].conservative == Conservative::area;
+    batch.begin[first] = before;
+    for (std::size_t k = first; k < end; ++k) {
+        cover_touched(*batch.triangle[k],
+                      {*job.samples, region_of(job, batch, k), job.rect.x0, job.rect.y0, counts},
+                      list);
+        batch.begin[k + 1] = list.count;
+        std::fill(batch.owner + (batch.begin[k] - before), batch.owner + (list.count - before),
+                  static_cast<std::int32_t>(k));
+    }
 }
 
 // Appends the fragments of triangles first, ..., end - 1 to the list, on which nothing waits for
@@ -112,14 +147,13 @@ HWY_INLINE int most_fragments(const TriangleBatch& batch, std::size_t k)
 HWY_INLINE void cover(const TileJob& job, const TileSetup& setup, std::size_t first,
                       std::size_t end, TriangleBatch& batch, CoverageList& list)
 {
+    if (batch.conservative) return cover_conservatively(job, first, end, batch, list);
     const SampleSet& set = *job.samples;
     const EdgeBatch& edges = batch.edges;
     const int before = list.count;
     std::fill(batch.begin + first, batch.begin + end + 1, before);
     if ((edges.wide >> first & 1) != 0) {
-        const int x = job.rect.x0 + edges.x0[first], y = job.rect.y0 + edges.y0[first];
-        cover_wide(*batch.triangle[first], set,
-                   {x, y, x + edges.width[first], y + edges.height[first]}, job.rect.x0,
+        cover_wide(*batch.triangle[first], set, region_of(job, batch, first), job.rect.x0,
                    job.rect.y0, list);
         batch.begin[end] = list.count;
         std::fill_n(batch.owner, list.count - before, static_cast<std::int32_t>(first));
@@ -212,12 +246,21 @@ HWY_INLINE void shade_covered(const TileJob& job, const TileSetup& setup,
                               const CoverageList& list, TileScratch& scratch, Store&& store)
 {
     using real = Block::real;
+    const auto store_part = [&](int i, int last, real depth, Shaded<Block> f,
+                                Vector<Block> through) HWY_ATTR {
+        if (list.overlaps != nullptr) {
+            const real part = real::load(list.overlaps->part.data() + i);
+            f.opacity = part * f.opacity;
+            through = Vector<Block>::all(1.0f) - part * (Vector<Block>::all(1.0f) - through);
+        }
+        store(i, last, depth, f, through);
+    };
     Surface blended;
     const Surface& surface = surface_as_drawn(job, batch, blended);
     if (surface.detail != nullptr) {
         for (std::size_t k = first; k < end; ++k) {
             if (batch.begin[k] == batch.begin[k + 1]) continue;
-            shade_detailed(job, setup, batch, k, list, scratch, store);
+            shade_detailed(job, setup, batch, k, list, scratch, store_part);
         }
         return;
     }
@@ -228,7 +271,7 @@ HWY_INLINE void shade_covered(const TileJob& job, const TileSetup& setup,
         const Shaded<Block> f =
             shade<Block>(surface, batch.varying, of, job.surfaces->light, at.w1, at.w2);
         const real rest = real(1.0f) - f.opacity;
-        store(i, batch.begin[end], at.depth, f, Vector<Block>{rest, rest, rest});
+        store_part(i, batch.begin[end], at.depth, f, Vector<Block>{rest, rest, rest});
     }
 }
 

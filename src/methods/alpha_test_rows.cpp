@@ -8,6 +8,7 @@
 namespace sheer {
 
 StoreVerbs alpha_test_verbs(TargetSet targets, const ChosenMethod& method, int samples);
+StoreVerbs alpha_test_then_blend_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs stochastic_alpha_test_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs hashed_alpha_test_verbs(TargetSet targets, const ChosenMethod& method, int samples);
 StoreVerbs alpha_to_coverage_verbs(TargetSet targets, const ChosenMethod& method, int samples);
@@ -56,6 +57,14 @@ MethodTraits traits_of_hashed(const ChosenMethod& method)
     return traits;
 }
 
+FragmentWants wants_order(const ChosenMethod& method)
+{
+    const bool sorted = method.value("order") == "triangles";
+    return {.submission = sorted ? Submission::triangles_sorted : Submission::as_given,
+            .places = {},
+            .masks = true};
+}
+
 FragmentWants wants_places_and_levels(const ChosenMethod& method)
 {
     FragmentWants wants = wants_places(method);
@@ -99,6 +108,29 @@ MethodRow alpha_test_row()
                             "have their own; what has no opacity never passes"}},
             .traits = traits_of_nearest(),
             .verbs = alpha_test_verbs};
+}
+
+MethodRow alpha_test_then_blend_row()
+{
+    return {.id = "alpha-test-then-blend",
+            .title = "Alpha test, then alpha blend: opaque from an opacity on, blended below",
+            .citation = kWymanMcGuire,
+            .continuum = {"always", "one layer a sample, opaque, and one before it",
+                          "over, in the order of submission; what is behind the opaque one is "
+                          "discarded",
+                          "none"},
+            .parameters = {{"cutoff", "0.5..1.0", "0.95",
+                            "the least opacity that is drawn first, as if opaque; of MASK "
+                            "surfaces too"},
+                           {"order", "given|triangles", "given",
+                            "in which the rest is blended: that of submission, or farthest "
+                            "triangle first, by its centroid"}},
+            .traits = {.passes = 2,
+                       .pass_names = {"opaque", "blended"},
+                       .bytes_per_sample = 36,
+                       .merges_in_order = true},
+            .verbs = alpha_test_then_blend_verbs,
+            .wants = wants_order};
 }
 
 MethodRow stochastic_alpha_test_row()

@@ -6,6 +6,7 @@
 namespace sheer {
 
 MethodRow alpha_test_row();
+MethodRow alpha_test_then_blend_row();
 MethodRow stochastic_alpha_test_row();
 MethodRow hashed_alpha_test_row();
 MethodRow alpha_to_coverage_row();

@@ -35,7 +35,7 @@ MethodRow wavelet_row();
 std::span<const MethodRow> method_table()
 {
     constexpr Agreement kRounding = Agreement::rounding, kBits = Agreement::bits;
-    static const std::array<MethodRow, 30> kTable = {{
+    static const std::array<MethodRow, 31> kTable = {{
         {.id = "none",
          .title = "No store: rasterise and shade, show the background",
          .citation = "the floor under every method's time",
@@ -77,6 +77,7 @@ std::span<const MethodRow> method_table()
          .verbs = exact_verbs,
          .colored_verbs = exact_colored_verbs},
         alpha_test_row(),
+        alpha_test_then_blend_row(),
         stochastic_alpha_test_row(),
         hashed_alpha_test_row(),
         alpha_to_coverage_row(),

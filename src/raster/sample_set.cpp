@@ -37,4 +37,10 @@ SampleSet make_sample_set(int samples, SamplePositions positions, SubpixelShift 
     return set;
 }
 
+SampleSet with_whole_pixels(SampleSet set)
+{
+    set.extent = {0, kSubpixels - 1, 0, kSubpixels - 1};
+    return set;
+}
+
 }  // namespace sheer

@@ -28,6 +28,9 @@ struct SubpixelShift {
     int x = 0, y = 0;
 };
 
+// With bounds as wide as a pixel, for triangles that count wherever they touch one.
+SampleSet with_whole_pixels(SampleSet set);
+
 // Samples at the pixel's centre are not shifted.
 SampleSet make_sample_set(int samples, SamplePositions positions, SubpixelShift shift = {});
 

@@ -98,12 +98,17 @@ HWY_INLINE BaseColor<L> base_color(const Surface& surface, const TriangleSurface
         alpha = triangle.color.at<L>(3, p.w1, p.w2);
     }
     if (surface.detail->base_color) {
-        const Texel<L> texel = look_up<L>(*surface.detail->base_color, detail, p);
-        const real scale = surface.detail->base_color->straight
+        const PreparedTexture& texture = *surface.detail->base_color;
+        const Footprint<L> at = footprint<L>(texture, detail, p);
+        const Texel<L> texel = sample_texture<L>(texture, at, p.lanes);
+        const real scale = texture.straight
                                ? real(1.0f)
                                : L::zero_unless(texel.a > real(0.0f), real(1.0f) / texel.a);
         base.color = base.color * Vector<L>{texel.r * scale, texel.g * scale, texel.b * scale};
         alpha = alpha * texel.a;
+        if (surface.alpha_mode == AlphaMode::mask && texture.mips->has_thresholds) {
+            alpha = alpha / threshold_at<L>(texture, at);
+        }
     }
     base.opacity = surface_opacity<L>(surface, alpha);
     return base;

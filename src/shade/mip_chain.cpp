@@ -169,18 +169,22 @@ MipChain make_mip_chain(const TextureImage& image, const MipRecipe& recipe)
         chain.words.reserve(2 * texels_of_levels(width, height, recipe.levels));
     }
     begin_level(chain, width, height);
+    chain.has_thresholds = recipe.by_thresholds;
+    chain.threshold[0] = 1;
     for (std::size_t y = 0; y < height; ++y) {
         for (std::size_t x = 0; x < width; ++x) keep(chain, use, at(x, y));
     }
     if ((width == 1 && height == 1) || recipe.levels == 1) return chain;
     const bool keeps_coverage = recipe.keeps_coverage_at > 0;
+    const bool scales = keeps_coverage && !recipe.by_thresholds;
     const double part = keeps_coverage ? part_that_reaches(image, recipe.keeps_coverage_at) : 0;
     Level level = halved(width, height, at);
     for (;;) {
         begin_level(chain, level.width, level.height);
         const double scale = scale_of(level, recipe, part);
+        chain.threshold[chain.level_count - 1] = static_cast<float>(1 / scale);
         for (const Texel& texel : level.texels) {
-            keep(chain, use, keeps_coverage ? scaled(texel, scale) : texel);
+            keep(chain, use, scales ? scaled(texel, scale) : texel);
         }
         const bool last = level.width == 1 && level.height == 1;
         if (last || chain.level_count == recipe.levels) return chain;

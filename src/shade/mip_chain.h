@@ -25,7 +25,8 @@ struct MipRecipe {
     // Above 0, of color_with_alpha: of each level as large a part as can be reaches this alpha as
     // of the image (coverage_scale.h).
     float keeps_coverage_at = 0;
-    std::uint32_t levels = 0;  // that are kept, the largest first; 0: all
+    std::uint32_t levels = 0;    // that are kept, the largest first; 0: all
+    bool by_thresholds = false;  // coverage is kept by MipChain::threshold, alphas are as they are
 
     auto operator<=>(const MipRecipe&) const = default;
 };
@@ -38,6 +39,10 @@ struct MipChain {
     std::uint32_t level_count = 0;
     // Of each level: its size and its first texel.
     std::array<std::uint32_t, kMostLevels> width = {}, height = {}, first = {};
+    // Where a recipe asks for them: what is to be reached at each level, as a part of what is at
+    // the first.
+    bool has_thresholds = false;
+    std::array<float, kMostLevels> threshold = {};
     // Rows from the top, level after level; one of the two is empty.
     std::vector<std::uint32_t> words;  // two for each texel
     std::vector<float> floats;         // four for each texel

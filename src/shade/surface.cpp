@@ -51,7 +51,10 @@ MipRecipe base_color_recipe(const Material& m, AlphaMips mips)
     const bool passes = m.alpha_mode == AlphaMode::mask && !(m.alpha_cutoff > 0);
     if (m.alpha_mode == AlphaMode::opaque || passes) return {TexelUse::color};
     if (mips == AlphaMips::straight) return {TexelUse::straight_color};
-    return {TexelUse::color_with_alpha, mips == AlphaMips::coverage ? tested_alpha(m) : 0.0f};
+    const bool tested = m.alpha_mode == AlphaMode::mask;
+    const bool by_thresholds = mips == AlphaMips::thresholds && tested;
+    const bool keeps_coverage = mips == AlphaMips::coverage || by_thresholds;
+    return {TexelUse::color_with_alpha, keeps_coverage ? tested_alpha(m) : 0.0f, 0, by_thresholds};
 }
 
 // Makes each chain that a material needs once.
@@ -200,6 +203,13 @@ Surface make_surface(const Scene& scene, const Object& object, float gain,
     return surface;
 }
 
+void set_kind(const FragmentKinds& kinds, Surface& surface)
+{
+    if (surface.alpha_mode == AlphaMode::mask) surface.conservative = kinds.conservative;
+    const bool textured = surface.detail != nullptr && surface.detail->base_color.has_value();
+    surface.at_samples = kinds.at_samples && textured && surface.alpha_mode != AlphaMode::opaque;
+}
+
 PreparedLight prepare_light(const Light& light, float gain, const Eye& eye)
 {
     PreparedLight p{light.kind, {}, {}, times(light.intensity, gain), 0, 0, 0};
@@ -239,7 +249,8 @@ FrameSurfaces make_surfaces(const SurfaceJob& job)
     textures.make_all(job.threads);
     result.surfaces.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
-        const Surface surface = make_surface(scene, object, gain, result);
+        Surface surface = make_surface(scene, object, gain, result);
+        set_kind(job.kinds, surface);
         result.any_opaque = result.any_opaque || !surface.transparent;
         result.any_colored =
             result.any_colored || (surface.detail != nullptr && surface.detail->transmission > 0);
@@ -272,6 +283,7 @@ FrameSurfaces make_casters(const FrameSurfaces& seen)
         if (seen.details[i]) casters.details[i] = passing_part(*seen.details[i]);
     }
     for (Surface surface : seen.surfaces) {
+        set_kind({}, surface);
         if (surface.shading == Shading::unlit) {
             surface.transparent = true;
             surface.object_opacity = 0;  // of which nothing is drawn

@@ -48,6 +48,8 @@ struct Surface {
     std::uint32_t material = 0;              // index into FrameSurfaces::details
     const MaterialDetail* detail = nullptr;  // null: `color` and `opacity` are all
     FacingShape facing = {};                 // of lines and points
+    Conservative conservative = Conservative::off;
+    bool at_samples = false;  // shaded at each for itself
 };
 
 // Transparent, and not so much that nothing is left. What passes a mask counts as opaque.
@@ -99,6 +101,12 @@ struct TextureMips {
     int levels = 0;
 };
 
+// What is not drawn by fragments of covered samples; as the view has it.
+struct FragmentKinds {
+    Conservative conservative = Conservative::off;
+    bool at_samples = false;
+};
+
 struct SurfaceJob {
     const Scene& scene;
     float exposure;
@@ -106,6 +114,7 @@ struct SurfaceJob {
     int threads;
     Shadowed shadowed = Shadowed::no;  // or light.shadows will be set
     TextureMips mips = {};
+    FragmentKinds kinds = {};
 };
 FrameSurfaces make_surfaces(const SurfaceJob& job);
 

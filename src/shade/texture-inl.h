@@ -224,6 +224,29 @@ HWY_NOINLINE Texel<L> sample_texture(const PreparedTexture& texture, const Footp
     return {sum.r / probes, sum.g / probes, sum.b / probes, sum.a / probes};
 }
 
+// What alpha is to reach where a texture is read, as a part of what it is to reach in the image: of
+// a chain that has thresholds, between those of the levels.
+template <class L>
+HWY_INLINE typename L::real threshold_at(const PreparedTexture& texture, const Footprint<L>& at)
+{
+    using real = typename L::real;
+    using whole = typename L::whole;
+    const MipFilter filter = texture.sampler.mip;
+    if (filter == MipFilter::none) return real(1.0f);
+    const MipChain& mips = *texture.mips;
+    const whole last(static_cast<std::int32_t>(mips.level_count - 1));
+    const real level = choose_level<L>(texture, at).level;
+    const real clamped_level = L::min(L::max(level, real(0.0f)), L::to_real(last));
+    const bool nearest = filter == MipFilter::nearest;
+    const real low = L::floor(nearest ? clamped_level + real(0.5f) : clamped_level);
+    const whole first = clamped<L>(L::to_whole(low), last);
+    const real threshold = L::gather(mips.threshold.data(), first);
+    if (nearest) return threshold;
+    const whole second = clamped<L>(first + whole(1), last);
+    return threshold +
+           (clamped_level - low) * (L::gather(mips.threshold.data(), second) - threshold);
+}
+
 }  // namespace sheer::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -110,6 +110,52 @@ TEST(CliReproduceHashed, OrdersFlickerLessAndLess)
     }
 }
 
+// Touched pixels are opaque beyond what is there; an area's part is not, but for what cards of one
+// pixel take from one another.
+TEST(CliReproduceHashed, SmallCardsAreRasterisedConservatively)
+{
+    const Json json = reproduce(Tool(), "hashed-figure-4");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 8u);
+    EXPECT_LT(rows[0]["of truth"], 0.8);
+    EXPECT_NEAR(rows[1]["of truth"].get<double>(), 1, kLargestZ * rows[1]["error"].get<double>());
+    EXPECT_GT(rows[2]["of truth"].get<double>(), 1 + kLargestZ * rows[2]["error"].get<double>());
+    EXPECT_LT(rows[5]["of truth"], rows[2]["of truth"]);
+}
+
+TEST(CliReproduceHashed, AveragesAreNearerToTheTruth)
+{
+    const Json json = reproduce(Tool(), "hashed-figure-11");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 13u);
+    const auto error_of = [&](std::size_t row) {
+        return rows[row]["rms error of a pixel"].get<double>();
+    };
+    EXPECT_LT(error_of(9), 0.7 * error_of(2));    // hashed, with strata
+    EXPECT_LT(error_of(12), 0.7 * error_of(10));  // to coverage
+    EXPECT_EQ(rows[2]["flicker"], 0);
+}
+
+TEST(CliReproduceHashed, NoiseFadesInWithDistance)
+{
+    const Json json = reproduce(Tool(), "hashed-figure-12");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 2u * 4u);
+    // Nearby an alpha test has no holes, a hashed one lets a hundredth through.
+    EXPECT_LT(rows[0]["holes within, %"], rows[1]["holes within, %"]);
+    EXPECT_LE(rows[2]["holes within, %"], rows[1]["holes within, %"]);
+    // Far away an alpha test loses the leaves.
+    EXPECT_LT(rows[4]["of blended"], rows[5]["of blended"]);
+}
+
+TEST(CliReproduceHashed, CardsOfASceneStay)
+{
+    const Json json = reproduce(Tool(), "hashed-figure-16");
+    const Json& rows = json["tables"][0]["rows"];
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_LT(rows[0]["of truth"], rows[1]["of truth"]);
+}
+
 TEST(CliReproduceHashed, CostIsMeasuredInTurns)
 {
     const Json json = reproduce(Tool(), "hashed-cost");

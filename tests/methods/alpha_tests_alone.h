@@ -63,6 +63,37 @@ struct AlphaTestAlone : NearestAlone<L, AlphaTestAlone<L>> {
 };
 
 template <class L>
+struct TestThenBlendAlone : MethodAlone<L> {
+    using T = Texts<L>;
+    using real = typename L::real;
+    using real3 = typename T::real3;
+    using Store = typename T::TestThenBlendStore;
+    static constexpr int kPasses = 2;
+
+    static real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
+    static Store clear() { return T::test_then_blend_clear(beyond_any()); }
+    Store insert(Store s, std::size_t i, std::size_t at) const
+    {
+        const typename T::StochasticStore here = {
+            real(this->lists.depth_at(i, at)), this->lists.fragments[i].primitive, this->color(i)};
+        const bool covered = this->lists.covers(i, at);
+        const real cutoff(static_cast<float>(this->method.real("cutoff")));
+        return this->pass == 0
+                   ? T::test_then_blend_test(s, covered, here, this->opacity(i), cutoff)
+                   : T::test_then_blend_blend(s, covered, here, this->opacity(i), cutoff);
+    }
+    static real3 resolve(Store s, real3 behind)
+    {
+        return T::test_then_blend_resolve(s, beyond_any(), behind);
+    }
+    static real transmittance(Store s) { return T::test_then_blend_transmittance(s, beyond_any()); }
+    static auto keep(Store s)
+    {
+        return TestThenBlendAlone::kept(s.rest.color, s.rest.transmittance, s.opaque.depth);
+    }
+};
+
+template <class L>
 struct StochasticTestAlone : NearestAlone<L, StochasticTestAlone<L>> {
     using T = Texts<L>;
 

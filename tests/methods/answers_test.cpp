@@ -156,6 +156,26 @@ Rgba alpha_test_answer(const Setting& setting, const Plates& plates, Rgba behind
     return behind;
 }
 
+// What passes is opaque, the rest goes over it as it comes, unless it is behind.
+Rgba test_then_blend_answer(const Setting& setting, const Plates& plates, Rgba behind, Place place)
+{
+    const Fragments fragments = fragments_in_floats(setting, plates, place);
+    const auto cutoff = static_cast<double>(static_cast<float>(setting.method.real("cutoff")));
+    const auto is_before = [](const Fragment& a, const Fragment& b) {
+        return a.depth < b.depth || (a.depth == b.depth && a.id < b.id);
+    };
+    const Fragment* nearest = nullptr;
+    for (const Fragment& f : fragments) {
+        if (f.opacity >= cutoff && (nearest == nullptr || is_before(f, *nearest))) nearest = &f;
+    }
+    Fragments rest;
+    for (const Fragment& f : fragments) {
+        if (f.opacity < cutoff && (nearest == nullptr || is_before(f, *nearest))) rest.push_back(f);
+    }
+    if (nearest != nullptr) behind = {nearest->color[0], nearest->color[1], nearest->color[2], 1};
+    return reference::blend(rest, behind);
+}
+
 // The plates' primitive is their number.
 Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop, Place place)
 {
@@ -168,6 +188,9 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     if (id == "weighted-average") return reference::weighted_average(fragments, behind);
     if (id == "phenomenological") return phenomenological_answer(setting, plates, behind, place);
     if (id == "wboit") return wboit_answer(setting, plates, behind, place);
+    if (id == "alpha-test-then-blend") {
+        return test_then_blend_answer(setting, plates, behind, place);
+    }
     if (is_alpha_test(setting.method)) return alpha_test_answer(setting, plates, behind, place);
     if (has_continuum_answer(id)) {
         return continuum_answer(setting.method, fragments_in_floats(setting, plates, place),
@@ -301,6 +324,9 @@ TEST(MethodAnswers, FaultsAreFound)
     for_each_picture(8, [](const Setting& setting, Plates plates, std::mt19937& random) {
         if (std::string(setting.method.row->id) == "none") return;
         if (is_alpha_test(setting.method)) return;  // the nearest may be kept nowhere
+        // Nor does its opacity show where it counts as opaque, or the order of what that hides.
+        const bool blends = std::string(setting.method.row->id) == "alpha-test-then-blend";
+        if (blends && setting.method.real("cutoff") < 0.7) return;
         for (Plate& plate : plates) plate.color[3] = 0.2f + 0.5f * plate.color[3];
         const Colors backdrop = random_backdrop(*setting.set, random);
         const double bound = rounding_bound(setting.method, plates.size()).as_formula;

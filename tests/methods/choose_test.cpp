@@ -23,8 +23,8 @@ TEST(Methods, ChoosingByText)
     EXPECT_EQ(message("exakt"),
               "method: there is no method 'exakt' (did you mean 'exact'?); there are blend, "
               "sorted-blend, exact, "
-              "alpha-test, stochastic-alpha-test, hashed-alpha-test, alpha-to-coverage, "
-              "hashed-alpha-to-coverage, screen-door, "
+              "alpha-test, alpha-test-then-blend, stochastic-alpha-test, hashed-alpha-test, "
+              "alpha-to-coverage, hashed-alpha-to-coverage, screen-door, "
               "depth-peeling, dual-depth-peeling, bucket-peeling, stochastic, "
               "stratified-stochastic, slab, k-buffer, hybrid, mlab, mlcb, z3, adaptive, "
               "deep-shadow-map, weighted-average, wboit, phenomenological, fourier, moment, mboit, "

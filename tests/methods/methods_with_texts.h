@@ -97,6 +97,8 @@ inline const std::vector<std::string> kMethodsWithTexts = {
     "mlcb:layers=4:bits=64:keep=nearest",
     "mlcb:layers=32:bits=32:correction=off",
     "alpha-test",
+    "alpha-test-then-blend",
+    "alpha-test-then-blend:cutoff=0.5",
     "stochastic-alpha-test",
     "stochastic-alpha-test:threshold=sample",
     "hashed-alpha-test",

@@ -99,7 +99,7 @@ inline RoundingBound rounding_bound(const ChosenMethod& method, std::size_t frag
     const auto n = static_cast<double>(fragments);
     const double backdrop = 2 * n + 3;
     double formula = 0, weights = 0;
-    if (id == "blend" || id == "sorted-blend") {
+    if (id == "blend" || id == "sorted-blend" || id == "alpha-test-then-blend") {
         formula = 3 * n + backdrop;
     } else if (id == "exact") {
         formula = 2 * n + 2 + n + backdrop;

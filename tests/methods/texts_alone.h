@@ -56,6 +56,7 @@ struct Texts {
 #include "sheer/slab.glsl"
 #include "sheer/mlcb.glsl"
 #include "sheer/alpha_test.glsl"
+#include "sheer/alpha_test_then_blend.glsl"
 #include "sheer/hashed_threshold.glsl"
 #include "sheer/fade_in.glsl"
 #include "sheer/alpha_to_coverage.glsl"
@@ -219,6 +220,9 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const std::string&
     // Not with bounds: which fragments pass may be others.
     if constexpr (requires(typename L::real a) { L::octave(a); }) {
         if (id == "alpha-test") return make_alone<L, AlphaTestAlone>(lists, method);
+        if (id == "alpha-test-then-blend") {
+            return make_alone<L, TestThenBlendAlone>(lists, method);
+        }
         if (id == "stochastic-alpha-test") return make_alone<L, StochasticTestAlone>(lists, method);
         if (id == "hashed-alpha-test") return make_alone<L, HashedTestAlone>(lists, method);
         if (id.ends_with("alpha-to-coverage")) return make_alone<L, CoverageAlone>(lists, method);

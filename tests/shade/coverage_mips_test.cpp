@@ -9,6 +9,7 @@
 
 #include <sheer/error.h>
 
+#include "raster/sample_pattern.h"
 #include "reference/coverage_mips.h"
 #include "reference/mipmap.h"
 #include "shade/coverage_scale.h"
@@ -118,6 +119,34 @@ TEST(CoverageMips, EveryLevelPassesAsTheImageDoes)
     }
 }
 
+// A threshold for each level is Castaño's scale the other way round: alphas stay, and what passes
+// is the same but for what is rounded to 16 bits within a step of the threshold.
+TEST(CoverageMips, ThresholdsPassAsScaledLevelsDo)
+{
+    const TextureImage image = leaves(64);
+    for (const float threshold : {0.25f, 0.5f, 0.7f}) {
+        const MipChain scaled = make_mip_chain(image, {TexelUse::color_with_alpha, threshold});
+        const MipChain plain = make_mip_chain(image, {TexelUse::color_with_alpha});
+        const MipChain chain =
+            make_mip_chain(image, {TexelUse::color_with_alpha, threshold, 0, true});
+        EXPECT_TRUE(chain.has_thresholds);
+        EXPECT_FALSE(scaled.has_thresholds);
+        EXPECT_EQ(chain.words, plain.words);
+        EXPECT_EQ(chain.threshold[0], 1);
+        const auto cutoff = static_cast<double>(threshold);
+        for (std::uint32_t level = 0; level < chain.level_count; ++level) {
+            const std::vector<double> alphas = alphas_of(chain, level);
+            const double own = cutoff * static_cast<double>(chain.threshold[level]);
+            const auto doubtful = std::count_if(alphas.begin(), alphas.end(), [&](double alpha) {
+                return std::abs(alpha - own) < 2 / 65535.0;
+            });
+            EXPECT_NEAR(passing_part(alphas, own), passing_part(alphas_of(scaled, level), cutoff),
+                        static_cast<double>(doubtful) / static_cast<double>(alphas.size()) + 1e-12)
+                << threshold << ", level " << level;
+        }
+    }
+}
+
 TEST(CoverageMips, ColorsStayAsTheyAreUnderAlpha)
 {
     // A third is white, the rest absent: alpha grows, and colour with it.
@@ -198,7 +227,8 @@ TEST(AlphaMips, ATestOfTheImageItselfLosesNothing)
         wall.view.alpha_mips = how.alpha_mips;
         wall.view.texture_levels = how.texture_levels;
         wall.view.width = wall.view.height = 97;
-        wall.view.samples = 1;
+        wall.view.samples = how.samples == 64 ? 64 : 1;
+        wall.view.shade_at = how.shade_at;
         double sum = 0;
         for (const Float4& pixel : wall.draw().pixels) sum += static_cast<double>(pixel[3]);
         return sum / (97 * 97);
@@ -206,15 +236,121 @@ TEST(AlphaMips, ATestOfTheImageItselfLosesNothing)
     std::vector<double> own;
     for (const auto& texel : leaves(64).texels) own.push_back(texel[3] / 255.0);
     const double part = passing_part(own, 0.5);
-    View plain, first, castano;
+    View plain, first, castano, thresholds, samples;
     first.texture_levels = 1;
     castano.alpha_mips = AlphaMips::coverage;
+    thresholds.alpha_mips = AlphaMips::thresholds;
+    samples.texture_levels = 1;
+    samples.shade_at = ShadeAt::sample;
+    samples.samples = 64;
     EXPECT_EQ(coverage(plain), 0);
     // Texels here and there, no worse than if they were independent: 4.5 standard errors.
     const double sampling = 4.5 * std::sqrt(part * (1 - part)) / 97;
     EXPECT_NEAR(coverage(first), part, sampling);
     // A pixel sees 21 texels across: level 4, which has 16 texels, and passes in sixteenths.
     EXPECT_NEAR(coverage(castano), part, sampling + 1. / 32);
+    EXPECT_EQ(coverage(thresholds), coverage(castano));
+    // As many more, evenly spread.
+    EXPECT_NEAR(coverage(samples), part, sampling / 8);
+}
+
+// What is not tested at a fixed threshold has nothing to do with thresholds.
+TEST(AlphaMips, ThresholdsChangeNoOpacity)
+{
+    Wall wall(leaves(64), 0.1f, 0.2f, 9.1f, 9.2f);
+    wall.material().alpha_mode = AlphaMode::mask;
+    wall.view.width = wall.view.height = 64;
+    const auto draw = [&](AlphaMips mips, const char* method) {
+        wall.view.alpha_mips = mips;
+        Options options;
+        options.method = method;
+        return render(wall.scene, wall.view, options).image.pixels;
+    };
+    for (const char* method : {"hashed-alpha-test", "alpha-test-then-blend"}) {
+        EXPECT_EQ(draw(AlphaMips::thresholds, method), draw(AlphaMips::premultiplied, method));
+    }
+    EXPECT_NE(draw(AlphaMips::thresholds, "alpha-test"),
+              draw(AlphaMips::premultiplied, "alpha-test"));
+    wall.material().alpha_mode = AlphaMode::blend;
+    EXPECT_EQ(draw(AlphaMips::thresholds, "exact"), draw(AlphaMips::premultiplied, "exact"));
+}
+
+// Texels a little wider than samples are apart, read at each: the mean of what is there.
+TEST(ShadeAtSamples, EverySampleHasATexelOfItsOwn)
+{
+    const TextureImage image = leaves(64);
+    for (const int samples : {2, 8, 64}) {
+        Wall wall(image, 0.0031f, 0.0017f, 0.9f, 0.8f);
+        wall.material().alpha_mode = AlphaMode::blend;
+        wall.sampler() = {Wrap::repeat, Wrap::repeat, TexelFilter::nearest, TexelFilter::nearest,
+                          MipFilter::none};
+        wall.view.samples = samples;
+        const Image whole = wall.draw();
+        wall.view.shade_at = ShadeAt::sample;
+        const Image image_at_samples = wall.draw();
+        const std::vector<SamplePoint> points = sample_pattern(samples, SamplePositions::standard);
+        double most = 0, most_whole = 0;
+        for (int y = 0; y < 16; ++y) {
+            for (int x = 0; x < 16; ++x) {
+                double sum = 0;
+                for (const SamplePoint& p : points) {
+                    const double u = 0.0031 + (x + p.x / 256.0) / 16 * (0.9 - 0.0031);
+                    const double v = 0.0017 + (y + p.y / 256.0) / 16 * (0.8 - 0.0017);
+                    const int column = static_cast<int>(u * 64), row = static_cast<int>(v * 64);
+                    sum += image.texels[static_cast<std::size_t>(row * 64 + column)][3] / 255.0;
+                }
+                const double expected = sum / samples;
+                const auto off = [&](const Image& got) {
+                    return std::abs(static_cast<double>(got.at(x, y)[3]) - expected);
+                };
+                most = std::max(most, off(image_at_samples));
+                most_whole = std::max(most_whole, off(whole));
+            }
+        }
+        // Alphas have 16 bits; no sample lies on a texel's edge to floats' rounding.
+        EXPECT_LT(most, 1e-4) << samples;
+        EXPECT_GT(most_whole, 0.2) << samples;
+    }
+}
+
+// Sixteen samples are a fourth of a pixel apart: two levels finer.
+TEST(ShadeAtSamples, TexturesAreAsSharpAsSamplesAreDense)
+{
+    const auto lost = [](int samples, ShadeAt where) {
+        Wall wall(leaves(64), 0.013f, 0.007f, 4.013f, 4.007f);  // 4 texels a pixel
+        wall.material().alpha_mode = AlphaMode::mask;
+        wall.view.width = wall.view.height = 64;
+        wall.view.samples = samples;
+        wall.view.shade_at = where;
+        double sum = 0;
+        for (const Float4& pixel : wall.draw().pixels) sum += static_cast<double>(pixel[3]);
+        return sum / (64 * 64);
+    };
+    // As by one sample a pixel of a picture four times as wide and high: level 0, within what 2^16
+    // independent samples differ by, 4.5 standard errors.
+    Wall large(leaves(64), 0.013f, 0.007f, 4.013f, 4.007f);
+    large.material().alpha_mode = AlphaMode::mask;
+    large.view.width = large.view.height = 256;
+    large.view.samples = 1;
+    double part = 0;
+    for (const Float4& pixel : large.draw().pixels) part += static_cast<double>(pixel[3]);
+    part /= 256 * 256;
+    EXPECT_NEAR(lost(16, ShadeAt::sample), part, 4.5 * std::sqrt(part * (1 - part)) / 256);
+    EXPECT_LT(lost(16, ShadeAt::fragment), 0.5 * part);
+}
+
+TEST(ShadeAtSamples, AtOnePointItIsTheFragments)
+{
+    Wall wall(leaves(64), 0.1f, 0.2f, 3.1f, 3.2f);
+    wall.material().alpha_mode = AlphaMode::mask;
+    for (const SamplePositions positions : {SamplePositions::center, SamplePositions::standard}) {
+        wall.view.positions = positions;
+        wall.view.samples = positions == SamplePositions::center ? 8 : 1;
+        wall.view.shade_at = ShadeAt::fragment;
+        const Image expected = wall.draw();
+        wall.view.shade_at = ShadeAt::sample;
+        EXPECT_EQ(wall.draw().pixels, expected.pixels);
+    }
 }
 
 TEST(AlphaMips, RefusesLevelsThatNoTextureHas)

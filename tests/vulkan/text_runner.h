@@ -184,7 +184,7 @@ private:
             all.push_back({2, method.value("window") == "lanczos" ? 1u : 0u});
         }
         if (id == "wavelet") all.push_back({1, static_cast<std::uint32_t>(method.number("rank"))});
-        if (is_alpha_test(method)) add_alpha_test(method, all);
+        if (is_alpha_test(method) || id == "alpha-test-then-blend") add_alpha_test(method, all);
         if (id == "stratified-stochastic") {
             const StratifiedSettings settings = stratified_settings(method);
             all.push_back({1, settings.tracking ? 1u : 0u});
@@ -240,7 +240,7 @@ private:
         const auto is = [&](const char* name, const char* value) {
             return method.value(name) == value ? 1u : 0u;
         };
-        if (id == "alpha-test") {
+        if (id == "alpha-test" || id == "alpha-test-then-blend") {
             all.push_back(
                 {1, std::bit_cast<std::uint32_t>(static_cast<float>(method.real("cutoff")))});
         }

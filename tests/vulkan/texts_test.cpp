@@ -70,6 +70,7 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
                                  "phenomenological",
                                  "deep-shadow-map",
                                  "bucket-peeling:buckets=8:borders=adaptive:peels=2",
+                                 "alpha-test-then-blend",
                                  "hashed-alpha-test",
                                  "hashed-alpha-to-coverage"});
         // Long texts, whose samples have nothing to do with one another.

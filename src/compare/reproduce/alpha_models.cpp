@@ -93,12 +93,6 @@ AlphaModel fence()
     return {"fence", std::move(scene), height / 2, 4 * height, true};
 }
 
-AlphaModel tree(int cards)
-{
-    return finish("tree", load("builtin:tree?cards=" + std::to_string(cards)),
-                  0.23f * std::sqrt(60000.0f / static_cast<float>(cards)));
-}
-
 AlphaModel fern()
 {
     Scene scene;
@@ -162,11 +156,17 @@ AlphaModel hair()
 
 }  // namespace
 
+AlphaModel alpha_tree(int cards)
+{
+    return finish("tree", load("builtin:tree?cards=" + std::to_string(cards)),
+                  0.23f * std::sqrt(60000.0f / static_cast<float>(cards)));
+}
+
 std::vector<AlphaModel> alpha_models(bool quick)
 {
     std::vector<AlphaModel> models;
     models.push_back(fence());
-    models.push_back(tree(quick ? 600 : 6000));
+    models.push_back(alpha_tree(quick ? 600 : 6000));
     models.push_back(fern());
     models.push_back(hair());
     return models;

@@ -24,6 +24,9 @@ struct AlphaModel {
 // A fence, a tree, a fern, and cards of hair.
 std::vector<AlphaModel> alpha_models(bool quick);
 
+// The tree alone; the more cards, the smaller they are.
+AlphaModel alpha_tree(int cards);
+
 // One look at a model.
 struct Look {
     double azimuth = 0, elevation = 0;  // radians

@@ -10,8 +10,10 @@
 #include <sheer/sheer.h>
 
 #include "compare/reproduce/alpha_models.h"
+#include "compare/reproduce/alpha_ways.h"
 #include "compare/reproduce/chart.h"
 #include "compare/reproduce/entries.h"
+#include "compare/reproduce/opacity_sums.h"
 #include "compare/reproduce/page.h"
 #include "compare/reproduce/pictures.h"
 #include "compare/reproduce/stratified_seeds.h"
@@ -23,68 +25,21 @@ namespace sheer {
 
 namespace {
 
-struct Way {
-    const char* title;
-    const char* method;
-    int samples = 1;
-    AlphaMips mips = AlphaMips::premultiplied;
-    int levels = 0;
-};
-
-constexpr Way kWays[] = {
+constexpr AlphaWay kWays[] = {
     {"alpha test", "alpha-test"},
     {"Castano's mipmaps", "alpha-test", 1, AlphaMips::coverage},
+    {"a threshold for each level", "alpha-test", 1, AlphaMips::thresholds},
     {"alpha test of the image", "alpha-test", 1, AlphaMips::premultiplied, 1},
+    {"the same, at each of 8 samples", "alpha-test", 8, AlphaMips::premultiplied, 1,
+     ShadeAt::sample},
+    {"alpha test, then blend", "alpha-test-then-blend:order=triangles"},
     {"stochastic", "stochastic-alpha-test"},
     {"hashed", "hashed-alpha-test"},
     {"hashed, isotropic", "hashed-alpha-test:variant=isotropic"},
     {"alpha to coverage, 8 samples", "alpha-to-coverage", 8},
     {"hashed alpha to coverage, 8 samples", "hashed-alpha-to-coverage", 8},
 };
-constexpr std::size_t kHashed = 4;
-
-// Of many looks: sums of what a way and the truth have.
-struct Sums {
-    std::vector<double> ours, truth;
-
-    void add(double a, double b)
-    {
-        ours.push_back(a);
-        truth.push_back(b);
-    }
-    double mean_truth() const
-    {
-        double sum = 0;
-        for (const double t : truth) sum += t;
-        return sum / static_cast<double>(truth.size());
-    }
-    double ratio() const
-    {
-        double sum = 0;
-        for (const double a : ours) sum += a;
-        return sum / static_cast<double>(ours.size()) / mean_truth();
-    }
-    // Standard error of a ratio of means.
-    double error() const
-    {
-        const auto n = static_cast<double>(ours.size());
-        double squares = 0;
-        for (std::size_t i = 0; i < ours.size(); ++i) {
-            const double off = ours[i] - ratio() * truth[i];
-            squares += off * off;
-        }
-        return std::sqrt(squares / (n - 1) / n) / mean_truth();
-    }
-};
-
-Image draw_way(const Scene& scene, const Way& way, int pixels, std::uint64_t seed, Options options)
-{
-    View view = view_of(pixels, way.samples);
-    view.alpha_mips = way.mips;
-    view.texture_levels = way.levels;
-    options.seed = seed;
-    return draw_method(scene, view, way.method, options);
-}
+constexpr std::size_t kTest = 0, kCastano = 1, kImage = 3, kStochastic = 6, kHashed = 7;
 
 class Receding {
 public:
@@ -115,11 +70,11 @@ private:
         Table table{
             model.name, {"method", "pixels", "card", "opacity", "of truth", "error", "z"}, {}};
         std::vector<Series> lines;
-        for (const Way& way : kWays) lines.push_back({way.title, {}, {}});
+        for (const AlphaWay& way : kWays) lines.push_back({way.title, {}, {}});
         double worst[2] = {0, 0}, beyond[2] = {0, 0};  // cards of a pixel or more, below
-        Sums smallest[std::size(kWays)];
+        OpacitySums smallest[std::size(kWays)];
         for (const int pixels : sizes_) {
-            std::vector<Sums> sums = look(model, pixels);
+            std::vector<OpacitySums> sums = look(model, pixels);
             const double card = static_cast<double>(model.card / model.radius) / 2 * pixels;
             for (std::size_t w = 0; w < sums.size(); ++w) {
                 const double ratio = sums[w].ratio(), error = sums[w].error();
@@ -141,19 +96,20 @@ private:
         page_.write_text(suffix, log_linear_chart(model.name + ": opacity, as part of the truth",
                                                   lines, "pixels that the model is high"));
         page_.show(page_.file(suffix), model.name);
-        worst_.rows.push_back({words(model.name), number(smallest[0].ratio(), 3),
-                               number(smallest[1].ratio(), 3), number(smallest[2].ratio(), 3),
-                               number(smallest[3].ratio(), 3), number(worst[0], 3),
+        worst_.rows.push_back({words(model.name), number(smallest[kTest].ratio(), 3),
+                               number(smallest[kCastano].ratio(), 3),
+                               number(smallest[kImage].ratio(), 3),
+                               number(smallest[kStochastic].ratio(), 3), number(worst[0], 3),
                                words(beyond[0] > 0 ? "no" : "yes"), number(worst[1], 3)});
     }
 
-    std::vector<Sums> look(const AlphaModel& model, int pixels) const
+    std::vector<OpacitySums> look(const AlphaModel& model, int pixels) const
     {
-        std::vector<Sums> sums(std::size(kWays));
+        std::vector<OpacitySums> sums(std::size(kWays));
         for (int i = 0; i < looks_; ++i) {
             Scene scene = seen(model, look_number(i, model), pixels);
             std::vector<double> means;
-            for (const Way& way : kWays) {
+            for (const AlphaWay& way : kWays) {
                 means.push_back(mean_alpha(draw_way(scene, way, pixels, seed_of(i), job_.options)));
             }
             mask_as_blend(scene);
@@ -173,7 +129,7 @@ private:
             if (job_.quick && pixels > 32) continue;
             std::vector<Image> row;
             Scene scene = seen(model, look_number(1, model), pixels);
-            for (const Way& way : kWays) {
+            for (const AlphaWay& way : kWays) {
                 row.push_back(draw_way(scene, way, pixels, seed_of(0), job_.options));
             }
             mask_as_blend(scene);
@@ -188,18 +144,10 @@ private:
         write_image(page_.path(suffix), one_below_another(rows));
         std::string caption = model.name + (job_.quick ? ", 32" : ", 128, 64 and 32") +
                               " pixels high, enlarged alike: ";
-        for (const Way& way : kWays) caption += std::string(way.title) + "; ";
+        for (const AlphaWay& way : kWays) caption += std::string(way.title) + "; ";
         page_.show(page_.file(suffix), caption + "the truth");
     }
 
-    static Image over_white(Image picture)
-    {
-        for (Float4& pixel : picture.pixels) {
-            for (std::size_t c = 0; c < 3; ++c) pixel[c] += 1 - pixel[3];
-            pixel[3] = 1;
-        }
-        return picture;
-    }
     std::uint64_t seed_of(int look) const
     {
         return job_.options.seed + static_cast<std::uint64_t>(look);

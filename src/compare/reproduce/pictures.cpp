@@ -56,6 +56,15 @@ Image enlarge(const Image& picture, const Crop& crop, int times)
     return large;
 }
 
+Image over_white(Image picture)
+{
+    for (std::array<float, 4>& pixel : picture.pixels) {
+        for (std::size_t c = 0; c < 3; ++c) pixel[c] += 1 - pixel[3];
+        pixel[3] = 1;
+    }
+    return picture;
+}
+
 Moments moments_of(const std::vector<Image>& images)
 {
     Moments moments{images.front(), images.front(), static_cast<int>(images.size())};

@@ -24,6 +24,9 @@ struct Crop {
 // What is within, each pixel `times` x `times` large.
 Image enlarge(const Image& picture, const Crop& crop, int times);
 
+// Opaque, what is behind it white.
+Image over_white(Image picture);
+
 // Of pictures of one size, two or more, each of a seed of its own.
 Moments moments_of(const std::vector<Image>& images);
 
