@@ -86,6 +86,34 @@ struct Shadows {
     float overestimation = 0;
 };
 
+// Where the rays of ambient occlusion go.
+enum class RaySamples {
+    hashed,  // by the cell of the surface that a point is in, about a pixel large: noise stays on
+             // it
+    random,  // anew at every point and in every frame
+};
+
+// The form of such cells: of one size, or of another along each axis, finer on surfaces seen at an
+// angle. C. Wyman and M. McGuire, Improved Alpha Testing Using Hashed Sampling, listings 1 and 2.
+enum class RayCells { isotropic, anisotropic };
+
+// How much of the sky each point sees, by rays (section 9 there). docs/shadows.md says what they
+// meet; the sun and lights have shadows instead.
+struct AmbientOcclusion {
+    int rays = 0;      // from each point that is shaded, 1 to 64; 0: all of the sky is seen
+    float radius = 0;  // metres, to 1,000,000: what is farther hides nothing; 0: however far
+    RaySamples samples = RaySamples::hashed;
+    RayCells cells = RayCells::anisotropic;
+};
+
+// Shades at full rate within a circle alone: beyond it once for squares of 2 x 2 pixels, and of
+// 4 x 4 beyond twice its radius, with textures' levels, opacities and hashed thresholds to match.
+// All in pixels from the picture's top left corner, X and Y between -1,000,000 and 1,000,000, the
+// radius from 0 on.
+struct Foveation {
+    float x, y, radius;
+};
+
 // What is seen and how it is sampled.
 struct View {
     int width = 1024;  // pixels, 1 to kMaxImageSize
@@ -107,6 +135,8 @@ struct View {
     std::array<int, 2> sample_shift = {0, 0};
     float exposure = 0;  // EV, -32 to 32; surfaces are multiplied by 2^EV, the background is not
     Shadows shadows;
+    AmbientOcclusion ambient_occlusion;
+    std::optional<Foveation> foveation;
 };
 
 inline constexpr int kMostFrames = 1'000'000;  // of a film
@@ -142,7 +172,7 @@ struct Options {
     Simd simd = Simd::best;
     std::uint64_t seed = 0;
     // Pictures to average, each with random numbers of its own, 1 to 1,000,000; where neither
-    // method nor shadows are random one is enough, and one is drawn.
+    // method, shadows nor ambient occlusion are random one is enough, and one is drawn.
     int accumulate = 1;
     // The picture's number in a film, 0 to kMostFrames - 1: random methods have other numbers in
     // each frame. All others, and shadows, are the same in all; hashed ones unless they are told to

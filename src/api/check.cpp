@@ -248,6 +248,17 @@ void check_part(const char* what, float value, float least, float most)
     refuse(std::string(what) + ": it is not between " + plain(least) + " and " + plain(most));
 }
 
+void check_shading(const View& view)
+{
+    const AmbientOcclusion& occlusion = view.ambient_occlusion;
+    check_whole("ambient-occlusion", occlusion.rays, 0, 64);
+    check_part("ambient-occlusion: radius", occlusion.radius, 0, 1e6f);
+    if (!view.foveation) return;
+    check_part("foveate: X", view.foveation->x, -1e6f, 1e6f);
+    check_part("foveate: Y", view.foveation->y, -1e6f, 1e6f);
+    check_part("foveate: R", view.foveation->radius, 0, 1e6f);
+}
+
 void check_noise(const Options& options)
 {
     const AdaptiveFrames& adaptive = options.adaptive;
@@ -285,6 +296,7 @@ void check_view(const View& view, const Options& options)
     }
     if (!(std::abs(view.exposure) <= 32)) refuse("exposure: not between -32 and 32 EV");
     check_shadows(view.shadows);
+    check_shading(view);
     check_noise(options);
     if (options.threads < 0 || options.threads > 4096) {
         refuse("threads: " + std::to_string(options.threads) + " is not between 0 and 4096");

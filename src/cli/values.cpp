@@ -43,9 +43,9 @@ float parse_float(const std::string& option, const std::string& text)
     return result;
 }
 
-Float3 parse_point(const std::string& option, const std::string& text)
+Float3 parse_point(const std::string& option, const std::string& text, const char* form)
 {
-    const auto n = parse_floats(option, text, {3, 3}, "X,Y,Z");
+    const auto n = parse_floats(option, text, {3, 3}, form);
     return {n[0], n[1], n[2]};
 }
 

@@ -21,7 +21,7 @@ struct Size {
 
 // All of them finite.
 float parse_float(const std::string& option, const std::string& text);
-Float3 parse_point(const std::string& option, const std::string& text);
+Float3 parse_point(const std::string& option, const std::string& text, const char* form = "X,Y,Z");
 Float4 parse_background(const std::string& option, const std::string& text);
 float parse_fov(const std::string& option, const std::string& text);  // degrees
 

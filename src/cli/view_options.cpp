@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "api/check.h"
+#include "cli/shading_options.h"
 #include "cli/shadow_options.h"
 #include "cli/values.h"
 #include "lanes/targets.h"
@@ -173,6 +174,7 @@ void add_view_options(CLI::App& command, ViewOptions& given)
     add_fragment_options(command, given.view);
     add_camera_options(command, given.view);
     add_shadow_options(command, given.view.shadows);
+    add_shading_options(command, given.view);
     add_machine_options(command, given.options);
 }
 

@@ -14,6 +14,7 @@
 #include "cpu/frame_stats.h"
 #include "cpu/reduced_pictures.h"
 #include "cpu/shadow_maps.h"
+#include "cpu/sky_rays.h"
 #include "cpu/stopwatch.h"
 #include "geometry/build.h"
 #include "geometry/meet.h"
@@ -70,6 +71,7 @@ void draw_tile(const FrameJob& job, int tile, Worker& worker, FrameTakes& result
     TileSetting setting{{&job.geometry, &job.surfaces, &job.samples, tile, rect, rect},
                         job.background,
                         {rect.x0, rect.y0, 0}};
+    setting.job.shading = job.shading;
     for (const TakeGroup& group : job.groups) {
         setting.job.wants = group.wants;
         worker.passes.forget();
@@ -106,7 +108,9 @@ FragmentKinds fragment_kinds(const View& view)
 FrameSurfaces prepare_surfaces(const Scene& scene, const View& view, const Projection& projection,
                                const Eye& eye, int threads, std::span<const Take> takes)
 {
-    const Shadowed shadowed = view.shadows.kind == ShadowKind::none ? Shadowed::no : Shadowed::yes;
+    const bool lit_everywhere =
+        view.shadows.kind == ShadowKind::none && view.ambient_occlusion.rays == 0;
+    const Shadowed shadowed = lit_everywhere ? Shadowed::no : Shadowed::yes;
     FrameSurfaces result = make_surfaces(
         {scene, view.exposure, eye, threads, shadowed, texture_mips(view), fragment_kinds(view)});
     const auto sorts_objects = [](const Take& take) {
@@ -182,8 +186,9 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     total.start();
     const std::span<const Take> takes = request.takes;
     const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+    const PlaceSpaces places = places_of(takes, view.ambient_occlusion);
     const std::uint64_t scene_bytes =
-        geometry_bytes(scene, places_of(takes)) + texture_bytes(scene, wanted, texture_mips(view));
+        geometry_bytes(scene, places) + texture_bytes(scene, wanted, texture_mips(view));
     if (options.memory_limit != 0) {
         require_memory(options.memory_limit, scene_bytes);
     } else {
@@ -202,8 +207,8 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     geometry_time.start();
     const Projection projection = resolve_camera(scene, view);
     const int geometry_threads = std::min(wanted, grid.count());
-    const Geometry geometry = build_geometry(
-        {scene, projection, grid, samples.extent, geometry_threads, places_of(takes)});
+    const Geometry geometry =
+        build_geometry({scene, projection, grid, samples.extent, geometry_threads, places});
     FrameSurfaces surfaces =
         prepare_surfaces(scene, view, projection, geometry.eye, geometry_threads, takes);
     geometry_time.stop();
@@ -218,6 +223,10 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
                          {frame_key(options.seed, 0), request.shadow_frame, request.shadow_frames}},
                         options);
     surfaces.light.shadows = shadows.drawn();
+    const std::int64_t number = takes.empty() ? 0 : takes.front().film.number;
+    const SkyRays sky = prepare_sky_rays({scene, view.ambient_occlusion, projection, geometry.eye,
+                                          surfaces, frame_key(options.seed, number)},
+                                         options);
 
     FrameJob job{takes,
                  group_takes(takes),
@@ -233,6 +242,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
                  0,
                  0,
                  request.sink};
+    job.shading = {sky.rays.get(), view.foveation ? &*view.foveation : nullptr};
     if (any_measures_depth(takes) || request.sink != nullptr)
         find_depth_extent(geometry, surfaces, job.eye);
     for (const Take& take : takes) {
@@ -277,6 +287,7 @@ FrameTakes render_takes(const Scene& scene, const View& view, const Options& opt
     common.ms_geometry = geometry_time.ms();
     common.ms_total = total.ms();
     common.ms_passes = shadows.passes;
+    common.ms_passes.insert(common.ms_passes.end(), sky.passes.begin(), sky.passes.end());
     common.peak_memory_bytes = peak_memory_bytes();
     for (std::size_t i = 0; i < takes.size(); ++i) {
         result.frames[i].stats = make_stats(workers, job, i, common);

@@ -35,6 +35,7 @@ struct FrameJob {
     // Of each take, or null.
     std::vector<const ReducedPicture*> reduced = {};
     const DrawnBackdrop* backdrop = nullptr;  // or none
+    PictureShading shading = {};
 };
 
 // What one thread works with, tile after tile.

@@ -90,6 +90,7 @@ std::size_t thread_bytes(const FrameJob& job)
             kTilePixels * static_cast<std::size_t>(traits.bytes_per_pixel(job.samples.count, 0));
     }
     if (divides) bytes += pixel_samples * 5 * sizeof(float);  // SampleColors::fraction
+    if (job.shading.foveation != nullptr) bytes += FoveationScratch::bytes();
     return bytes;
 }
 

@@ -41,7 +41,8 @@ HWY_INLINE void add_levels(const TileJob& job, const TileSetup& setup, const Tri
         set_texcoords(job, *batch.chunk[k], *batch.triangle[k], detail);
         const Block::Lookup of(Block::whole(static_cast<std::int32_t>(k)));
         for (int i = batch.begin[k]; i < batch.begin[k + 1]; i += Block::kCount) {
-            const LocatedOnScreen at = locate_on_screen(batch.planes, of, *job.samples, list, i);
+            const LocatedOnScreen at =
+                locate_on_screen(batch.planes, of, *job.samples, list, i, setup.rates);
             const int lanes = batch.begin[k + 1] - i;
             const auto point = shade_point(batch.planes, k, setup.rays, at, lanes);
             const Footprint<Block> f = footprint<Block>(texture, detail, point);

@@ -21,8 +21,10 @@ inline void set_light_places(const TileJob& job, const Triangle& t, TileScratch&
     result.edge1 = result.edge2 = {0, 0, 0};
     result.light_places = nullptr;
     result.receivers = nullptr;
+    result.occlusion = nullptr;
     if (surface.shading == Shading::unlit) return;
-    if (light.lights.empty() && light.shadows == nullptr) return;
+    result.occlusion = job.shading.occlusion;
+    if (light.lights.empty() && light.shadows == nullptr && result.occlusion == nullptr) return;
     const Eye& eye = job.geometry->eye;
     const std::array<double, 3> p[3] = {place_of(eye, t, 0), place_of(eye, t, 1),
                                         place_of(eye, t, 2)};
@@ -36,8 +38,8 @@ inline void set_light_places(const TileJob& job, const Triangle& t, TileScratch&
             places[l][i] = static_cast<float>(light.lights[l].place[i] - p[0][i]);
         }
     }
-    if (light.shadows == nullptr) return;
     result.rays_from = {p[0], t.primitive, 2 * double{surface.facing.half_width}};
+    if (light.shadows == nullptr) return;
     const LightShadows& shadows = *light.shadows;
     scratch.receivers.resize(shadows.size());
     result.receivers = scratch.receivers.data();
@@ -45,6 +47,17 @@ inline void set_light_places(const TileJob& job, const Triangle& t, TileScratch&
         if (!shadows[i].map) continue;
         scratch.receivers[i] = make_receiver(*shadows[i].map, p, surface.facing);
     }
+}
+
+// For what stays on the surface, where rays of ambient occlusion are hashed.
+inline void set_noise_places(const TileJob& job, const TriangleChunk& chunk, const Triangle& t,
+                             TriangleDetail& result)
+{
+    if (result.occlusion == nullptr || !result.occlusion->is_hashed()) return;
+    const auto at = [&](std::size_t i) {
+        return job.geometry->place_of(PlaceSpace::object, chunk, t.vertex[i]);
+    };
+    result.noise_place.set(at(0), at(1), at(2));
 }
 
 }  // namespace sheer::HWY_NAMESPACE

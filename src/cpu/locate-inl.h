@@ -9,6 +9,7 @@
 #endif
 
 #include "cpu/plane_batch-inl.h"
+#include "cpu/shading_rates.h"
 #include "raster/coverage_list.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -25,6 +26,9 @@ struct LocatedOnScreen {
     Block::real depth;   // at the pixel's centre
     Block::whole column, row;
     Block::real x, y;  // the centroid from the pixel's centre, subpixels
+    // Of what is shaded, in pixels: the square of those that are shaded together, whose middle it
+    // is then; below 1 where samples are shaded for themselves. What changes is for that.
+    Block::real side;
 };
 
 // Bits set in a number below 16, and 1 / n for n = 1, ..., 15, with 1 / 16 in place of 0.
@@ -72,8 +76,41 @@ HWY_INLINE Block::real weight_at_center(const WeightBatch& w, const PlaneBatch& 
     return Block::select(of.of(planes.exact) == whole(0), rough, precise);
 }
 
+// Moves fragments to the middles of their squares, but not beyond the triangle: floats that depend
+// on square and triangle alone. The integers of weight_at_center hold in covered pixels only.
+HWY_INLINE void move_to_squares(const ShadingRates& rates, const PlaneBatch& planes,
+                                const Block::Lookup& of, const CoverageList& list, int i,
+                                LocatedOnScreen& at)
+{
+    using real = Block::real;
+    alignas(64) float x[Block::kCount], y[Block::kCount], side[Block::kCount];
+    for (int lane = 0; lane < Block::kCount; ++lane) {
+        // Lanes past the end of the list may hold anything.
+        const std::uint32_t pixel = list.pixel[i + lane] & (kTilePixels - 1);
+        x[lane] = rates.x[pixel];
+        y[lane] = rates.y[pixel];
+        side[lane] = rates.side[pixel];
+    }
+    const real zero(0.0f), one(1.0f), column = real::load(x), row = real::load(y);
+    const real pixels = real::load(side);
+    const auto coarse = pixels > one;
+    at.side = Block::select(coarse, pixels, at.side);
+    const auto weight = [&](const WeightBatch& w) HWY_ATTR {
+        return Block::max(of.of(w.base) + column * of.of(w.pixel_x) + row * of.of(w.pixel_y), zero);
+    };
+    const real b1 = weight(planes.weight1), b2 = weight(planes.weight2);
+    const real inside = one / Block::max(b1 + b2, one);
+    at.b1 = Block::select(coarse, b1 * inside, at.b1);
+    at.b2 = Block::select(coarse, b2 * inside, at.b2);
+    const real subpixels(kSubpixels);
+    at.x = Block::select(coarse, (column - Block::to_real(at.column)) * subpixels, at.x);
+    at.y = Block::select(coarse, (row - Block::to_real(at.row)) * subpixels, at.y);
+}
+
+// `rates`: or null, if all squares are one pixel.
 HWY_INLINE LocatedOnScreen locate_on_screen(const PlaneBatch& planes, const Block::Lookup& of,
-                                            const SampleSet& set, const CoverageList& list, int i)
+                                            const SampleSet& set, const CoverageList& list, int i,
+                                            const ShadingRates* rates)
 {
     using real = Block::real;
     using whole = Block::whole;
@@ -87,26 +124,30 @@ HWY_INLINE LocatedOnScreen locate_on_screen(const PlaneBatch& planes, const Bloc
     at.depth =
         of.of(planes.depth[0]) + at.b1 * of.of(planes.depth[1]) + at.b2 * of.of(planes.depth[2]);
     at.x = at.y = real(0.0f);
-    if (list.overlaps != nullptr) {
+    at.side = real(planes.spacing);
+    const bool overlaps = list.overlaps != nullptr;
+    if (overlaps) {
         at.x = real::load(list.overlaps->x.data() + i);
         at.y = real::load(list.overlaps->y.data() + i);
-    } else {
-        if (set.centered) return at;
+    } else if (!set.centered) {
         centroid(set, list, i, at.x, at.y);
     }
-    const auto along = [&](const WeightBatch& w)
-                           HWY_ATTR { return at.x * of.of(w.dx) + at.y * of.of(w.dy); };
-    at.b1 = at.b1 + along(planes.weight1);
-    at.b2 = at.b2 + along(planes.weight2);
+    if (overlaps || !set.centered) {
+        const auto along = [&](const WeightBatch& w)
+                               HWY_ATTR { return at.x * of.of(w.dx) + at.y * of.of(w.dy); };
+        at.b1 = at.b1 + along(planes.weight1);
+        at.b2 = at.b2 + along(planes.weight2);
+    }
+    if (rates != nullptr) move_to_squares(*rates, planes, of, list, i, at);
     return at;
 }
 
 HWY_INLINE Located locate(const PlaneBatch& planes, const Block::Lookup& of, const SampleSet& set,
-                          const CoverageList& list, int i)
+                          const CoverageList& list, int i, const ShadingRates* rates)
 {
     using real = Block::real;
     using whole = Block::whole;
-    const LocatedOnScreen at = locate_on_screen(planes, of, set, list, i);
+    const LocatedOnScreen at = locate_on_screen(planes, of, set, list, i, rates);
     if (planes.all_affine) return {at.b1, at.b2, at.depth};
     const real q1 = at.b1 * of.of(planes.inverse_w[1]), q2 = at.b2 * of.of(planes.inverse_w[2]);
     const real sum = (real(1.0f) - at.b1 - at.b2) * of.of(planes.inverse_w[0]) + q1 + q2;

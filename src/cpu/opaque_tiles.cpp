@@ -34,6 +34,7 @@ void for_each_opaque_tile(const FrameJob& job, int threads, const OpaqueVisit& v
         TileJob drawn{&job.geometry,          &job.surfaces, &job.samples,
                       static_cast<int>(tile), rect,          rect};
         drawn.part = TilePart::opaque;
+        drawn.shading = job.shading;
         job.tile_fragments(drawn, worker->scratch, worker->opaque, worker->stream, nobody);
         visit(rect, job.grid.interior(static_cast<int>(tile)), worker->opaque);
     });

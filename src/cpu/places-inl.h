@@ -22,13 +22,12 @@ HWY_INLINE WeightsOnScreen weights_on_screen(const PlaneBatch& planes, const Blo
 {
     using real = Block::real;
     const WeightBatch &weight1 = planes.weight1, &weight2 = planes.weight2;
-    const real spacing(planes.spacing);
     const WeightsOnScreen affine{at.b1,
                                  at.b2,
-                                 spacing * of.of(weight1.pixel_x),
-                                 spacing * of.of(weight2.pixel_x),
-                                 spacing * of.of(weight1.pixel_y),
-                                 spacing * of.of(weight2.pixel_y)};
+                                 of.of(weight1.pixel_x),
+                                 of.of(weight2.pixel_x),
+                                 of.of(weight1.pixel_y),
+                                 of.of(weight2.pixel_y)};
     if (planes.all_affine) return affine;
     const real inverse0 = of.of(planes.inverse_w[0]), inverse1 = of.of(planes.inverse_w[1]),
                inverse2 = of.of(planes.inverse_w[2]);
@@ -60,8 +59,9 @@ HWY_INLINE WeightsOnScreen weights_on_screen(const PlaneBatch& planes, const Blo
 }
 
 // Of the fragments of triangles first, ..., end - 1, whose list is the stream's.
-HWY_INLINE void add_places(const TileJob& job, const TriangleBatch& batch, std::size_t first,
-                           std::size_t end, const CoverageList& list, FragmentStream& s)
+HWY_INLINE void add_places(const TileJob& job, const TileSetup& setup, const TriangleBatch& batch,
+                           std::size_t first, std::size_t end, const CoverageList& list,
+                           FragmentStream& s)
 {
     using real = Block::real;
     VaryingBatch<Block, 3> corners;
@@ -75,13 +75,14 @@ HWY_INLINE void add_places(const TileJob& job, const TriangleBatch& batch, std::
     const int begin = batch.begin[first];
     for (int i = begin; i < batch.begin[end]; i += Block::kCount) {
         const Block::Lookup of(Block::whole::load(batch.owner + (i - begin)));
-        const LocatedOnScreen at = locate_on_screen(batch.planes, of, *job.samples, list, i);
+        const LocatedOnScreen at =
+            locate_on_screen(batch.planes, of, *job.samples, list, i, setup.rates);
         const WeightsOnScreen w = weights_on_screen(batch.planes, of, at);
         for (std::size_t c = 0; c < 3; ++c) {
             const real toward1 = of.of(corners.value[1][c]), toward2 = of.of(corners.value[2][c]);
             corners.at(c, of, w.w1, w.w2).store(s.place[c].data() + i);
-            (w.w1_x * toward1 + w.w2_x * toward2).store(s.place[3 + c].data() + i);
-            (w.w1_y * toward1 + w.w2_y * toward2).store(s.place[6 + c].data() + i);
+            (at.side * (w.w1_x * toward1 + w.w2_x * toward2)).store(s.place[3 + c].data() + i);
+            (at.side * (w.w1_y * toward1 + w.w2_y * toward2)).store(s.place[6 + c].data() + i);
         }
     }
 }

@@ -43,7 +43,7 @@ struct PlaneBatch {
     alignas(64) WholeEach exact;
     alignas(64) WholeEach affine;  // not zero: the three w are equal, no perspective
     bool all_exact, all_affine, any_affine;
-    float spacing = 1;  // of what is shaded, in pixels: what changes is for that
+    float spacing = 1;  // of what is shaded, in pixels
     // DepthPlane's numbers.
     alignas(64) RealEach least, most, slack;
     alignas(64) DoubleEach depth_at, depth_dx, depth_dy;

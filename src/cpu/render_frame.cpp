@@ -66,8 +66,15 @@ Frame draw_adaptively(const Scene& scene, const View& view, const Options& optio
     return frame;
 }
 
-// Fragments are shaded once for all frames, so frames with random shadows of their own are drawn
-// one by one.
+// Fragments are shaded once for all frames, so frames with random shadows or rays of their own are
+// drawn one by one.
+bool is_lit_at_random(const View& view)
+{
+    const AmbientOcclusion& occlusion = view.ambient_occlusion;
+    return view.shadows.kind == ShadowKind::stochastic ||
+           (occlusion.rays > 0 && occlusion.samples == RaySamples::random);
+}
+
 Frame draw_one_by_one(const Scene& scene, const View& view, const Options& options)
 {
     const Take prepared = make_take(options);
@@ -115,7 +122,7 @@ Frame render_frame(const Scene& scene, const View& view, const Options& options)
     const bool adapts = options.adaptive.noise_target > 0 || options.adaptive.budget > 0;
     const auto draw = [&] {
         if (traits.random && adapts) return draw_adaptively(scene, view, options);
-        if (view.shadows.kind == ShadowKind::stochastic && options.accumulate > 1) {
+        if (is_lit_at_random(view) && options.accumulate > 1) {
             return draw_one_by_one(scene, view, options);
         }
         if (traits.random || traits.by_frame) take.frames = options.accumulate;

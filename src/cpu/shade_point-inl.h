@@ -50,14 +50,10 @@ HWY_INLINE ShadePoint<Block> shade_point(const PlaneBatch& planes, std::size_t k
     const WeightBatch &weight1 = planes.weight1, &weight2 = planes.weight2;
     p.w1 = at.b1;
     p.w2 = at.b2;
-    const float w1_x = weight1.pixel_x[k] * planes.spacing,
-                w2_x = weight2.pixel_x[k] * planes.spacing,
-                w1_y = weight1.pixel_y[k] * planes.spacing,
-                w2_y = weight2.pixel_y[k] * planes.spacing;
-    p.w1_x = real(w1_x);
-    p.w2_x = real(w2_x);
-    p.w1_y = real(w1_y);
-    p.w2_y = real(w2_y);
+    p.w1_x = at.side * real(weight1.pixel_x[k]);
+    p.w2_x = at.side * real(weight2.pixel_x[k]);
+    p.w1_y = at.side * real(weight1.pixel_y[k]);
+    p.w2_y = at.side * real(weight2.pixel_y[k]);
     if (rays.orthographic) {
         p.to_eye = Vec::of(rays.back);
         return p;
@@ -75,11 +71,11 @@ HWY_INLINE ShadePoint<Block> shade_point(const PlaneBatch& planes, std::size_t k
     const auto steps = [&](float step1, float step2, real& w1, real& w2) HWY_ATTR {
         const float g1_step = step1 * inverse_w[1], g2_step = step2 * inverse_w[2];
         const real sum_step(g1_step + g2_step - (step1 + step2) * inverse_w[0]);
-        w1 = (real(g1_step) - p.w1 * sum_step) * w;
-        w2 = (real(g2_step) - p.w2 * sum_step) * w;
+        w1 = at.side * ((real(g1_step) - p.w1 * sum_step) * w);
+        w2 = at.side * ((real(g2_step) - p.w2 * sum_step) * w);
     };
-    steps(w1_x, w2_x, p.w1_x, p.w2_x);
-    steps(w1_y, w2_y, p.w1_y, p.w2_y);
+    steps(weight1.pixel_x[k], weight2.pixel_x[k], p.w1_x, p.w2_x);
+    steps(weight1.pixel_y[k], weight2.pixel_y[k], p.w1_y, p.w2_y);
     return p;
 }
 

@@ -38,9 +38,13 @@ inline bool any_placed(const std::vector<TakeGroup>& groups)
                        [](const TakeGroup& group) { return group.wants.places.has_value(); });
 }
 
-inline PlaceSpaces places_of(std::span<const Take> takes)
+// Of the methods, and of hashed rays.
+inline PlaceSpaces places_of(std::span<const Take> takes, const AmbientOcclusion& occlusion)
 {
     PlaceSpaces places = {};
+    if (occlusion.rays > 0 && occlusion.samples == RaySamples::hashed) {
+        places[static_cast<std::size_t>(PlaceSpace::object)] = true;
+    }
     for (const Take& take : takes) {
         const auto space = take.method.wants().places;
         if (space) places[static_cast<std::size_t>(*space)] = true;

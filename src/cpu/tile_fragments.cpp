@@ -210,7 +210,7 @@ HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const C
         through.z.store(s.through_blue.data() + i);
     };
     shade_covered(tile.job, tile.setup, batch, first, end, list, tile.scratch, write);
-    if (tile.job.wants.places) add_places(tile.job, batch, first, end, list, s);
+    if (tile.job.wants.places) add_places(tile.job, tile.setup, batch, first, end, list, s);
     if (tile.job.wants.levels) add_levels(tile.job, tile.setup, batch, first, end, list, s);
     int kept = s.size;
     for (std::size_t k = first; k < end; ++k) {
@@ -343,7 +343,7 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
               stream,
               consumer,
               opaque_samples_for(job.samples->count),
-              make_tile_setup(job)};
+              make_tile_setup(job, scratch)};
     TriangleBatch& batch = tile.batch;
     const auto draw = [&](const TriangleChunk& chunk, const Triangle& t, auto&& draw_batch)
                           HWY_ATTR {

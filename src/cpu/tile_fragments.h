@@ -1,8 +1,10 @@
 // Rasterises and shades one tile: opaque surfaces into samples, transparent ones into the stream.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "cpu/shading_rates.h"
 #include "geometry/tile_grid.h"
 #include "geometry/triangles.h"
 #include "lanes/targets.h"
@@ -18,6 +20,14 @@ namespace sheer {
 // Of a tile's surfaces.
 enum class TilePart { all, opaque, transparent };
 
+class OcclusionRays;
+
+// What the eye's picture has beside the light; nothing by itself.
+struct PictureShading {
+    const OcclusionRays* occlusion = nullptr;  // or all of the sky is seen
+    const Foveation* foveation = nullptr;      // or all is shaded at full rate
+};
+
 struct TileJob {
     const Geometry* geometry;
     const FrameSurfaces* surfaces;
@@ -27,6 +37,7 @@ struct TileJob {
     PixelRect region;  // the part of it that is wanted
     FragmentWants wants = {};
     TilePart part = TilePart::all;  // the others are left out
+    PictureShading shading = {};
 };
 
 struct TileTriangle {
@@ -55,6 +66,7 @@ struct TileScratch {
     OverlapList overlaps;
     std::vector<std::uint32_t> sampled_pixel;
     std::vector<std::uint64_t> sampled;
+    std::unique_ptr<FoveationScratch> foveation;  // or null
 
     TileScratch()
         : pixel(kTilePixels + FragmentStream::kSlack),

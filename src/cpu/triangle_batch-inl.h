@@ -27,11 +27,19 @@ namespace sheer::HWY_NAMESPACE {
 struct TileSetup {
     CoverFunction cover_narrow;
     EyeRays rays;
+    const ShadingRates* rates;  // or null: all is shaded at full rate
 };
 
-inline TileSetup make_tile_setup(const TileJob& job)
+inline TileSetup make_tile_setup(const TileJob& job, TileScratch& scratch)
 {
-    return {cover_function_for(*job.samples), make_eye_rays(job.geometry->eye, job.rect)};
+    TileSetup setup{cover_function_for(*job.samples), make_eye_rays(job.geometry->eye, job.rect),
+                    nullptr};
+    if (job.shading.foveation == nullptr) return setup;
+    if (!scratch.foveation) scratch.foveation = std::make_unique<FoveationScratch>();
+    ShadingRates& rates = scratch.foveation->rates;
+    rates.set(*job.shading.foveation, job.rect);
+    if (rates.coarse) setup.rates = &rates;
+    return setup;
 }
 
 struct TriangleBatch {
@@ -200,7 +208,18 @@ inline void set_detail(const TileJob& job, const TriangleChunk& chunk, const Tri
 {
     set_texcoords(job, chunk, t, result);
     set_light_places(job, t, scratch, result);
+    set_noise_places(job, chunk, t, result);
 }
+
+// What shades a triangle's fragments, of a material with more than a colour.
+struct DetailedTriangle {
+    const TileJob& job;
+    const TileSetup& setup;
+    const TriangleBatch& batch;
+    const Surface& surface;
+    const TriangleSurface& triangle;
+    const TriangleDetail& detail;
+};
 
 // Methods that test opacities themselves get those of MASK surfaces, as if they were BLEND.
 HWY_INLINE const Surface& surface_as_drawn(const TileJob& job, const TriangleBatch& batch,
@@ -213,6 +232,55 @@ HWY_INLINE const Surface& surface_as_drawn(const TileJob& job, const TriangleBat
     return blended;
 }
 
+// Fragments begin, begin + 1, ... before `end` of the list, which are of triangle k: `store` as of
+// shade_covered.
+template <class Store>
+HWY_INLINE void shade_list(const DetailedTriangle& of_triangle, std::size_t k, int begin, int end,
+                           const CoverageList& list, Store&& store)
+{
+    const auto& [job, setup, batch, surface, triangle, detail] = of_triangle;
+    const Block::Lookup of(Block::whole(static_cast<std::int32_t>(k)));
+    for (int i = begin; i < end; i += Block::kCount) {
+        const LocatedOnScreen at =
+            locate_on_screen(batch.planes, of, *job.samples, list, i, setup.rates);
+        const ShadePoint<Block> point = shade_point(batch.planes, k, setup.rays, at, end - i);
+        const DetailedFragment<Block> f =
+            shade_detail<Block>(surface, triangle, detail, job.surfaces->light, point);
+        store(i, end, at.depth, f.shaded, f.transmittance);
+    }
+}
+
+// Once for each square of pixels, and then to its fragments.
+template <class Store>
+HWY_INLINE void shade_squares(const DetailedTriangle& triangle, std::size_t k, int begin, int end,
+                              const CoverageList& list, ShadedSquares& squares, Store&& store)
+{
+    using real = Block::real;
+    const TriangleBatch& batch = triangle.batch;
+    const int count = squares.list(*triangle.setup.rates, list.pixel + begin, list.low + begin,
+                                   list.high + begin, end - begin);
+    const auto keep = [&](int i, int, real, const Shaded<Block>& f,
+                          const Vector<Block>& through) HWY_ATTR {
+        const real values[7] = {f.red, f.green, f.blue, f.opacity, through.x, through.y, through.z};
+        for (std::size_t c = 0; c < 7; ++c) values[c].store(squares.shaded[c].data() + i);
+    };
+    shade_list(triangle, k, 0, count,
+               {squares.pixel.data(), squares.low.data(), squares.high.data(), count}, keep);
+    const Block::Lookup of(Block::whole(static_cast<std::int32_t>(k)));
+    for (int i = begin; i < end; i += Block::kCount) {
+        alignas(64) float values[7][Block::kCount] = {};
+        for (int lane = 0; lane < std::min(Block::kCount, end - i); ++lane) {
+            const std::uint16_t number = squares.number[i - begin + lane];
+            for (std::size_t c = 0; c < 7; ++c) values[c][lane] = squares.shaded[c][number];
+        }
+        const auto value = [&](std::size_t c) HWY_ATTR { return real::load(values[c]); };
+        const LocatedOnScreen at =
+            locate_on_screen(batch.planes, of, *triangle.job.samples, list, i, nullptr);
+        store(i, end, at.depth, Shaded<Block>{value(0), value(1), value(2), value(3)},
+              Vector<Block>{value(4), value(5), value(6)});
+    }
+}
+
 // Triangle k's fragments, of a material with more than a colour.
 template <class Store>
 HWY_INLINE void shade_detailed(const TileJob& job, const TileSetup& setup,
@@ -222,18 +290,16 @@ HWY_INLINE void shade_detailed(const TileJob& job, const TileSetup& setup,
     Surface blended;
     const Surface& surface = surface_as_drawn(job, batch, blended);
     const Triangle& t = *batch.triangle[k];
-    const int end = batch.begin[k + 1];
+    const int begin = batch.begin[k], end = batch.begin[k + 1];
     TriangleSurface triangle;
     TriangleDetail detail;
     set_surface(job, *batch.chunk[k], t, surface, triangle);
     set_detail(job, *batch.chunk[k], t, scratch, detail);
-    const Block::Lookup of(Block::whole(static_cast<std::int32_t>(k)));
-    for (int i = batch.begin[k]; i < end; i += Block::kCount) {
-        const LocatedOnScreen at = locate_on_screen(batch.planes, of, *job.samples, list, i);
-        const ShadePoint<Block> point = shade_point(batch.planes, k, setup.rays, at, end - i);
-        const DetailedFragment<Block> f =
-            shade_detail<Block>(surface, triangle, detail, job.surfaces->light, point);
-        store(i, end, at.depth, f.shaded, f.transmittance);
+    const DetailedTriangle of{job, setup, batch, surface, triangle, detail};
+    if (setup.rates == nullptr) {
+        shade_list(of, k, begin, end, list, store);
+    } else {
+        shade_squares(of, k, begin, end, list, scratch.foveation->squares, store);
     }
 }
 
@@ -267,7 +333,7 @@ HWY_INLINE void shade_covered(const TileJob& job, const TileSetup& setup,
     const int begin = batch.begin[first];
     for (int i = begin; i < batch.begin[end]; i += Block::kCount) {
         const Block::Lookup of(Block::whole::load(batch.owner + (i - begin)));
-        const Located at = locate(batch.planes, of, *job.samples, list, i);
+        const Located at = locate(batch.planes, of, *job.samples, list, i, setup.rates);
         const Shaded<Block> f =
             shade<Block>(surface, batch.varying, of, job.surfaces->light, at.w1, at.w2);
         const real rest = real(1.0f) - f.opacity;

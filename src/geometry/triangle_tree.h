@@ -33,20 +33,24 @@ public:
     // own, until it returns false.
     void trace(const Ray& ray, const std::function<bool(const RayHit&)>& hit) const;
 
-    const TriangleCorners& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
+    const TriangleCorners& corners(std::uint32_t triangle) const
+    {
+        return triangles_[place_[triangle]];
+    }
 
 private:
     struct Node {
         Vec3d low, high;
-        // Of a leaf: order_[first .. first + count). Else count is 0 and the children are the next
-        // node and node `first`.
-        std::uint32_t first, count;
+        // Of a leaf: triangles_[first .. first + count). Else count is 0 and the children are the
+        // next node, whose triangles' middles are lower along the axis, and node `first`.
+        std::uint32_t first, count, axis;
     };
 
-    void build(std::uint32_t begin, std::uint32_t end);
+    void build(std::uint32_t begin, std::uint32_t end, int depth);
 
-    std::vector<TriangleCorners> triangles_;
-    std::vector<std::uint32_t> order_;
+    std::vector<TriangleCorners> triangles_;  // leaf by leaf
+    std::vector<std::uint32_t> order_;        // their numbers
+    std::vector<std::uint32_t> place_;        // of each number, among them
     std::vector<Node> nodes_;
 };
 

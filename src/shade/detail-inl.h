@@ -7,6 +7,7 @@
 #define SHEER_DETAIL_INL_H
 #endif
 
+#include "shade/ambient_occlusion-inl.h"
 #include "shade/lights-inl.h"
 #include "shade/surface-inl.h"
 #include "shade/texture-inl.h"
@@ -33,6 +34,9 @@ struct TriangleDetail {
     // Where there are shadows: of each light's map, and for rays.
     const ShadowReceiver* receivers;
     RayOrigin rays_from;
+    // Where there is ambient occlusion; the second where its samples are hashed.
+    const OcclusionRays* occlusion;
+    Varying<3> noise_place;
     Varying<2> texcoords[2];
     Varying<3> tangent;
     float bitangent_side;
@@ -199,6 +203,22 @@ HWY_INLINE DetailedFragment<L> glass_fragment(const BaseColor<L>& base, const Sp
     return {{scale * radiance.x, scale * radiance.y, scale * radiance.z, shown}, t};
 }
 
+// What stays on the surface, or else does not.
+template <class L>
+HWY_INLINE SkyNumbers<L> sky_numbers(const TriangleDetail& detail, const ShadePoint<L>& p)
+{
+    const OcclusionRays& rays = *detail.occlusion;
+    if (!rays.is_hashed()) {
+        return random_numbers<L>(detail.rays_from.primitive, rays.key(), p.w1, p.w2);
+    }
+    const Varying<3>& at = detail.noise_place;
+    const auto toward1 = Vector<L>::of({at.toward1[0], at.toward1[1], at.toward1[2]});
+    const auto toward2 = Vector<L>::of({at.toward2[0], at.toward2[1], at.toward2[2]});
+    return hashed_numbers<L>(
+        rays.cells(), {at.at<L>(0, p.w1, p.w2), at.at<L>(1, p.w1, p.w2), at.at<L>(2, p.w1, p.w2)},
+        p.w1_x * toward1 + p.w2_x * toward2, p.w1_y * toward1 + p.w2_y * toward2);
+}
+
 template <class L>
 HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
                                               const TriangleSurface& triangle,
@@ -223,7 +243,14 @@ HWY_NOINLINE DetailedFragment<L> shade_detail(const Surface& surface,
                       p.w2,
                       p.lanes,
                       detail.receivers,
-                      &detail.rays_from};
+                      &detail.rays_from,
+                      real(1.0f)};
+    if (detail.occlusion != nullptr) {
+        const SkyPoints<L> points{detail.rays_from, detail.edge1, detail.edge2, place,
+                                  point.normal,     p.to_eye,     p.lanes};
+        point.open_sky = open_part<L>(*detail.occlusion, points, sky_numbers<L>(detail, p),
+                                      base.opacity > real(0.0f));
+    }
     const Vector<L> emitted = emission<L>(material, detail, p);
     if (material.shading == Shading::diffuse) {
         return plain_fragment<L>(diffuse_radiance<L>(light, point) + emitted, base.opacity);

@@ -235,6 +235,20 @@ Rgb Casters::transmittance(const RayStart& start, const Vec3d& to_light, double 
     return left;
 }
 
+double Casters::open(const RayStart& start, const Vec3d& way, double most) const
+{
+    Rgb left = {1, 1, 1};
+    const Ray ray{{start.place[0], start.place[1], start.place[2]}, way, start.least, most};
+    tree_.trace(ray, [&](const RayHit& hit) {
+        const Caster& caster = casters_[hit.triangle];
+        if (caster.primitive == start.primitive) return true;
+        const Rgb part = passing(caster, hit);
+        for (std::size_t c = 0; c < 3; ++c) left[c] *= part[c];
+        return left != Rgb{0, 0, 0};
+    });
+    return (left[0] + left[1] + left[2]) / 3;
+}
+
 Rgb LightRays::transmittance(const RayStart& start) const
 {
     if (directional) {

@@ -47,6 +47,10 @@ public:
     std::array<double, 3> transmittance(const RayStart& start, const Vec3d& to_light,
                                         double most) const;
 
+    // The part that passes along the way, up to that times `most`: the mean of the channels. Both
+    // sides of a surface count, seen or not.
+    double open(const RayStart& start, const Vec3d& way, double most) const;
+
 private:
     struct Caster {
         std::uint32_t object, primitive;

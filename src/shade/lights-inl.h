@@ -32,6 +32,7 @@ struct LitPoint {
     int lanes;
     const ShadowReceiver* receivers;  // of each light, the sun first
     const RayOrigin* rays_from;
+    typename L::real open_sky;  // the part that is seen, in [0, 1]
 };
 
 template <class L>
@@ -106,7 +107,7 @@ template <class L>
 HWY_INLINE Vector<L> diffuse_radiance(const Lighting& light, const LitPoint<L>& p)
 {
     using real = typename L::real;
-    Vector<L> sum = real(light.gain) * sky_over<L>(light, p.normal);
+    Vector<L> sum = (real(light.gain) * p.open_sky) * sky_over<L>(light, p.normal);
     for_each_light<L>(light, p, [&](const Incident<L>& in) HWY_ATTR {
         const real facing = L::max(dot(p.normal, in.from), real(0.0f));
         sum = sum + (facing * real(1 / kPi)) * in.irradiance;
@@ -167,7 +168,7 @@ HWY_INLINE Vector<L> metallic_roughness_radiance(const Lighting& light, const Li
         max_color(zero, Vector<L>::of(light.sky_mean) + steepness * Vector<L>::of(light.sky_slope));
     const Vector<L> under =
         (Vector<L>::all(1.0f) - mirror) * p.color * sky_over<L>(light, p.normal);
-    Vector<L> sum = real(light.gain) * (under + mirror * seen);
+    Vector<L> sum = (real(light.gain) * p.open_sky) * (under + mirror * seen);
     for_each_light<L>(light, p,
                       [&](const Incident<L>& in) HWY_ATTR { sum = sum + reflected<L>(p, in, nv); });
     const auto has_normal = dot(p.normal, p.normal) > zero;

@@ -93,6 +93,7 @@ struct FrameSurfaces {
     FrameSurfaces& operator=(FrameSurfaces&&) = default;
 };
 
+// By lights or by the sky.
 enum class Shadowed { no, yes };
 
 // How textures are made ready; as the view has it.
@@ -112,7 +113,7 @@ struct SurfaceJob {
     float exposure;
     const Eye& eye;
     int threads;
-    Shadowed shadowed = Shadowed::no;  // or light.shadows will be set
+    Shadowed shadowed = Shadowed::no;  // or places count, not only normals
     TextureMips mips = {};
     FragmentKinds kinds = {};
 };

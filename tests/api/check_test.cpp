@@ -49,6 +49,26 @@ TEST(Check, ASoundSceneIsDrawn)
     EXPECT_EQ(error_of([](Scene& s, View&) { s.meshes[0].positions[1] = {2e38f, 2e38f, 0}; }), "");
 }
 
+TEST(Check, ShadingIsInRange)
+{
+    const auto refused = [](auto&& spoil) {
+        return error_of([&](Scene&, View& view) { spoil(view); });
+    };
+    EXPECT_EQ(refused([](View& v) { v.ambient_occlusion.rays = 65; }),
+              "ambient-occlusion: 65 is not between 0 and 64");
+    EXPECT_EQ(refused([](View& v) { v.ambient_occlusion.radius = kNan; }),
+              "ambient-occlusion: radius: it is not between 0 and 1000000");
+    EXPECT_EQ(refused([](View& v) {
+                  v.foveation = Foveation{kNan, 0, 1};
+              }),
+              "foveate: X: it is not between -1000000 and 1000000");
+    EXPECT_EQ(refused([](View& v) {
+                  v.foveation = Foveation{0, 0, -1};
+              }),
+              "foveate: R: it is not between 0 and 1000000");
+    EXPECT_EQ(refused([](View& v) { v.foveation = Foveation{0, -9, 0}; }), "");
+}
+
 TEST(Check, WhatIsNoNumberIsRefused)
 {
     EXPECT_EQ(error_of([](Scene& s, View&) { s.meshes[0].positions[1][2] = kNan; }),

@@ -56,6 +56,39 @@ TEST_F(RenderOptionsTest, TexturesAreReadAsAsked)
     expect_refusal({"--texture-levels", "17"}, "--texture-levels: '17' is not a whole number");
 }
 
+TEST_F(RenderOptionsTest, AmbientOcclusionIsTaken)
+{
+    for (const char* rays : {"0", "1", "64", "2:radius=0.5:samples=random",
+                             "1:samples=hashed:cells=isotropic", "1:cells=anisotropic"}) {
+        const Outcome outcome = render({"--ambient-occlusion", rays});
+        EXPECT_EQ(outcome.exit_code, 0) << rays << ": " << outcome.err;
+    }
+    const auto refused = [&](const char* rays, const std::string& beginning) {
+        expect_refusal({"--ambient-occlusion", rays}, "--ambient-occlusion: " + beginning);
+    };
+    refused("65", "'65' is not a whole number from 0 to 64");
+    refused("-1", "'-1' is not a whole number");
+    refused("many", "'many' is not a whole number");
+    refused("1:wide", "'1:wide' is not N[:NAME=VALUE]...");
+    refused("1:width=2", "there is no parameter 'width'; there are radius, samples, cells");
+    refused("1:radius=0", "radius: '0' is not above 0");
+    refused("1:radius=2000000", "radius: it is not between 0 and 1000000");
+    refused("1:samples=odd", "samples: 'odd' is none of hashed, random");
+    refused("1:cells=odd", "cells: 'odd' is none of isotropic, anisotropic");
+}
+
+TEST_F(RenderOptionsTest, FoveationIsTaken)
+{
+    for (const char* at : {"8,8,4", "-100,1e3,0", "0.5,0.5,1000000"}) {
+        const Outcome outcome = render({"--foveate", at});
+        EXPECT_EQ(outcome.exit_code, 0) << at << ": " << outcome.err;
+    }
+    expect_refusal({"--foveate", "8,8"}, "--foveate: '8,8' is not X,Y,R");
+    expect_refusal({"--foveate", "8,8,-1"}, "--foveate: R: it is not between 0 and 1000000");
+    expect_refusal({"--foveate", "8,2e6,1"}, "--foveate: Y: it is not between -1000000 and");
+    expect_refusal({"--foveate", "8,x,1"}, "--foveate: '8,x,1'");
+}
+
 TEST_F(RenderOptionsTest, OddShadowsAreRefused)
 {
     expect_refusal({"--shadows", "soft"},
