@@ -34,6 +34,8 @@ Reproduce reproduce_hashed_anisotropy;
 Reproduce reproduce_hashed_stability;
 Reproduce reproduce_hashed_temporal;
 Reproduce reproduce_hashed_cost;
+Reproduce reproduce_hashed_occlusion;
+Reproduce reproduce_hashed_foveation;
 Reproduce reproduce_slab_knob;
 Reproduce reproduce_slab_strips;
 Reproduce reproduce_surfaces_in_samples;
