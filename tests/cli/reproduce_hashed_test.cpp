@@ -156,6 +156,36 @@ TEST(CliReproduceHashed, CardsOfASceneStay)
     EXPECT_LT(rows[0]["of truth"], rows[1]["of truth"]);
 }
 
+TEST(CliReproduceHashed, RaysHaveTheNoiseOfCells)
+{
+    const Json json = reproduce(Tool(), "hashed-figure-8");
+    ASSERT_EQ(json["tables"].size(), 3u);
+    for (const Json& row : json["tables"][0]["rows"]) {
+        const double shape = row["across / down"];
+        // As of thresholds; random ones have neither width nor height.
+        const double expected = row["samples"] == "isotropic" ? row["1 / cos"].get<double>() : 1;
+        EXPECT_GT(shape, expected / 2) << row;
+        EXPECT_LT(shape, expected * 2) << row;
+    }
+    for (const Json& row : json["tables"][1]["rows"]) {
+        if (row["pixels"] != 0) continue;  // nothing moves: nor do hashed rays
+        EXPECT_EQ(row["isotropic"], 0) << row;
+        EXPECT_EQ(row["anisotropic"], 0) << row;
+        EXPECT_GT(row["random"], 0) << row;
+    }
+}
+
+TEST(CliReproduceHashed, FoveationKeepsTheFullRateWhereOneLooks)
+{
+    const Json json = reproduce(Tool(), "hashed-figure-15");
+    ASSERT_EQ(json["tables"].size(), 2u);
+    ASSERT_EQ(json["tables"][0]["rows"].size(), 4u * 3u * 3u);
+    for (const Json& row : json["tables"][0]["rows"]) {
+        if (row["zone"] != "full rate") continue;
+        EXPECT_EQ(row["foveated"], row["full rate"]) << row;
+    }
+}
+
 TEST(CliReproduceHashed, CostIsMeasuredInTurns)
 {
     const Json json = reproduce(Tool(), "hashed-cost");

@@ -9,6 +9,7 @@
 #include "compare/reproduce/alpha_plates.h"
 #include "compare/reproduce/chart.h"
 #include "compare/reproduce/entries.h"
+#include "compare/reproduce/noise_shape.h"
 #include "compare/reproduce/page.h"
 #include "compare/reproduce/pictures.h"
 #include "compare/reproduce/stratified_seeds.h"
@@ -28,50 +29,17 @@ std::string method_of(const char* variant)
     return std::string("hashed-alpha-test:variant=") + variant;
 }
 
-// Of pixels that are 0 or 1 with the same chance, so many pixels apart along one axis.
-double correlation(const std::vector<double>& pixels, int side, int across, int down)
-{
-    double sum = 0, count = 0;
-    for (int y = 0; y + down < side; ++y) {
-        for (int x = 0; x + across < side; ++x) {
-            const auto here = static_cast<std::size_t>(y * side + x);
-            const auto there = static_cast<std::size_t>((y + down) * side + x + across);
-            sum += (2 * pixels[here] - 1) * (2 * pixels[there] - 1);
-            count += 1;
-        }
-    }
-    return sum / count;
-}
-
-// Pixels along which noise is alike: 1 + 2 (r(1) + r(2) + ...) up to `most`.
-struct Lengths {
-    double across = 0, down = 0;
-    std::vector<double> along_x, along_y;  // r(1), r(2), ...
-};
-
-Lengths lengths_of(const Plates& like, const char* variant, const ReproduceJob& job)
+NoiseLengths lengths_of(const Plates& like, const char* variant, const ReproduceJob& job)
 {
     constexpr int kSizes = 4;
-    constexpr int kMost = 24;
-    Lengths lengths{0, 0, std::vector<double>(kMost), std::vector<double>(kMost)};
+    NoiseLengths lengths;
     for (int i = 0; i < kSizes; ++i) {
         Plates plates = like;
         plates.place = place_number(i);
         plates.pixel = std::exp2(-8 - (i + 0.5) / kSizes);
-        const auto pixels = draw_plates(plates, method_of(variant), job.options);
-        for (int lag = 1; lag <= kMost; ++lag) {
-            const auto at = static_cast<std::size_t>(lag - 1);
-            lengths.along_x[at] += correlation(pixels, plates.side, lag, 0) / kSizes;
-            lengths.along_y[at] += correlation(pixels, plates.side, 0, lag) / kSizes;
-        }
+        lengths.add(draw_plates(plates, method_of(variant), job.options), plates.side, kSizes);
     }
-    const auto length = [](const std::vector<double>& r) {
-        double sum = 1;
-        for (const double value : r) sum += 2 * value;
-        return sum;
-    };
-    lengths.across = length(lengths.along_x);
-    lengths.down = length(lengths.along_y);
+    lengths.finish();
     return lengths;
 }
 
@@ -90,7 +58,7 @@ void measure_plates(const ReproduceJob& job, Page& page)
                 plates.side = job.quick ? 128 : 512;
                 plates.tilt = tilt / 90 * kRightAngle;
                 plates.turned = turned;
-                const Lengths lengths = lengths_of(plates, variant, job);
+                const NoiseLengths lengths = lengths_of(plates, variant, job);
                 table.rows.push_back({number(tilt, 0), words(turned ? "turned" : "along"),
                                       words(variant), number(lengths.across, 2),
                                       number(lengths.down, 2),
