@@ -86,7 +86,7 @@ TEST_F(RenderOptionsTest, FoveationIsTaken)
     expect_refusal({"--foveate", "8,8"}, "--foveate: '8,8' is not X,Y,R");
     expect_refusal({"--foveate", "8,8,-1"}, "--foveate: R: it is not between 0 and 1000000");
     expect_refusal({"--foveate", "8,2e6,1"}, "--foveate: Y: it is not between -1000000 and");
-    expect_refusal({"--foveate", "8,x,1"}, "--foveate: '8,x,1'");
+    expect_refusal({"--foveate", "8,x,1"}, "--foveate: 'x' is not a finite number");
 }
 
 TEST_F(RenderOptionsTest, OddShadowsAreRefused)

@@ -332,10 +332,11 @@ TEST(AmbientOcclusion, RandomRaysAreAveraged)
 TEST(AmbientOcclusion, SameBitsOnEveryLevelAndAnyNumberOfThreads)
 {
     View view;
-    view.width = 80;
-    view.height = 60;
+    view.width = 40;
+    view.height = 34;
     view.samples = 4;
-    for (const char* source : {"builtin:tree?cards=600", "builtin:cloth"}) {
+    for (const char* source :
+         {"builtin:tree?cards=100", "builtin:quads", SHEER_SOURCE_DIR "/scenes/tea_table.glb"}) {
         const Scene scene = load(source);
         for (const AmbientOcclusion& kind : kKinds) {
             if (kind.rays > 5) continue;
