@@ -4,7 +4,7 @@
 // What engines do against halos, as section 3 of Wyman and McGuire has it: Improved Alpha Testing
 // Using Hashed Sampling. TVCG 25(2), 2019. Two passes over the fragments. Exact where what is
 // blended arrives from far to near and nothing between the threshold and 1 is opaque.
-// Needs prelude.glsl, over.glsl, stochastic.glsl, alpha_test.glsl, blend.glsl.
+// Needs prelude.glsl, random.glsl, over.glsl, stochastic.glsl, alpha_test.glsl, blend.glsl.
 
 struct TestThenBlendStore {
     StochasticStore opaque;  // the nearest that passes
