@@ -233,4 +233,15 @@ double mean_alpha(const Image& image)
     return sum / static_cast<double>(image.pixels.size());
 }
 
+double mean_square_alpha(const Image& a, const Image& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+        const double off =
+            static_cast<double>(a.pixels[i][3]) - static_cast<double>(b.pixels[i][3]);
+        sum += off * off;
+    }
+    return sum / static_cast<double>(a.pixels.size());
+}
+
 }  // namespace sheer

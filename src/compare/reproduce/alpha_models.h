@@ -49,5 +49,7 @@ View view_of(int pixels, int samples);
 
 // The mean over all pixels.
 double mean_alpha(const Image& image);
+// Of the difference, squared.
+double mean_square_alpha(const Image& a, const Image& b);
 
 }  // namespace sheer

@@ -53,18 +53,6 @@ constexpr Column kColumns[] = {
 };
 constexpr std::size_t kCount = std::size(kColumns);
 
-// Of opacities.
-double mean_square(const Image& a, const Image& b)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const double off =
-            static_cast<double>(a.pixels[i][3]) - static_cast<double>(b.pixels[i][3]);
-        sum += off * off;
-    }
-    return sum / static_cast<double>(a.pixels.size());
-}
-
 struct Shown {
     Image image;
     double flicker = 0;  // mean square of the change from frame to frame, over the last period
@@ -83,7 +71,8 @@ Shown draw_column(const Scene& scene, const Column& column, int pixels, Options 
         view.sample_shift = sample_shift(kPeriod, frame);
         options.frame = frame;
         Image next = average.add(draw_method(scene, view, column.method, options));
-        if (frame >= kFrames - kPeriod) shown.flicker += mean_square(next, shown.image) / kPeriod;
+        if (frame >= kFrames - kPeriod)
+            shown.flicker += mean_square_alpha(next, shown.image) / kPeriod;
         shown.image = std::move(next);
     }
     return shown;
@@ -132,7 +121,7 @@ private:
             for (std::size_t c = 0; c < kCount; ++c) {
                 const Shown shown = draw_column(scene, kColumns[c], pixels, job_.options);
                 sums[c].opacity.add(mean_alpha(shown.image), mean_alpha(truth));
-                sums[c].squares += mean_square(shown.image, truth) / looks_;
+                sums[c].squares += mean_square_alpha(shown.image, truth) / looks_;
                 sums[c].flicker += shown.flicker / looks_;
                 if (i == 0) row.push_back(shown.image);
             }

@@ -37,18 +37,6 @@ constexpr AlphaWay kWays[] = {
 };
 constexpr std::size_t kCount = std::size(kWays);
 
-// Of opacities, over all pixels.
-double square_of_difference(const Image& a, const Image& b)
-{
-    double sum = 0;
-    for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        const double off =
-            static_cast<double>(a.pixels[i][3]) - static_cast<double>(b.pixels[i][3]);
-        sum += off * off;
-    }
-    return sum / static_cast<double>(a.pixels.size());
-}
-
 class SmallCards {
 public:
     SmallCards(Page& page, const ReproduceJob& job)
@@ -86,7 +74,7 @@ private:
             const Image truth = render_truth(scene, view_of(pixels, 16), job_.options, 1);
             for (std::size_t w = 0; w < kCount; ++w) {
                 sums[w].add(mean_alpha(images[w]), mean_alpha(truth));
-                squares[w] += square_of_difference(images[w], truth) / looks_;
+                squares[w] += mean_square_alpha(images[w], truth) / looks_;
             }
         }
         const double card = static_cast<double>(model.card / model.radius) / 2 * pixels;

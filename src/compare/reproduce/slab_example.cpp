@@ -16,6 +16,7 @@
 
 #include <sheer/sheer.h>
 
+#include "compare/reproduce/choose.h"
 #include "compare/reproduce/entries.h"
 #include "compare/reproduce/page.h"
 
@@ -60,14 +61,6 @@ Parts parts_of(const Float4& pixel)
     const double b = static_cast<double>(pixel[2]), all = static_cast<double>(pixel[3]);
     const double yellow = r + g + b - all;
     return {g - yellow, r - yellow, b, yellow};
-}
-
-double choose(int n, int k)
-{
-    if (k < 0 || k > n) return 0;
-    double product = 1;
-    for (int i = 0; i < k; ++i) product *= static_cast<double>(n - i) / (i + 1);
-    return product;
 }
 
 // The chance that nothing is seen of a surface, every mask of half of the samples alike: near to

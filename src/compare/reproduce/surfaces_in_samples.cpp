@@ -11,6 +11,7 @@
 #include <sheer/sheer.h>
 
 #include "compare/reproduce/chart.h"
+#include "compare/reproduce/choose.h"
 #include "compare/reproduce/entries.h"
 #include "compare/reproduce/page.h"
 #include "cpu/fragment_sink.h"
@@ -108,14 +109,6 @@ private:
     int width_;
     std::vector<std::vector<Surface>> pixels_;
 };
-
-double choose(int n, int k)
-{
-    if (k < 0 || k > n) return 0;
-    double product = 1;
-    for (int i = 0; i < k; ++i) product *= static_cast<double>(n - i) / (i + 1);
-    return product;
-}
 
 // The mean over all masks of S / 2 samples, by how many are covered before each layer.
 double expected_of_half_opaque_layers(int samples)
