@@ -46,6 +46,22 @@ HWY_INLINE PixelPlaces pixel_places(const TilePlace& tile, const FragmentStream&
     return {whole(tile.x) + (pixel & whole(kTileSize - 1)), whole(tile.y) + pixel.shift_right<5>()};
 }
 
+// Asks `keeps` for each fragment of a stream, into low and high. Not inlined, so that thresholds are
+// compiled once and not for each number of samples.
+template <class Keeps>
+HWY_NOINLINE void mark_kept_samples(const Keeps& keeps, const FragmentStream& f,
+                                    const std::uint32_t* names, std::uint32_t* low,
+                                    std::uint32_t* high)
+{
+    using whole = FragmentLanes::whole;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); i += FragmentLanes::kCount) {
+        const KeptSamples bits =
+            keeps.keep(f, i, Keeps::kNamed ? whole::load(names + i) : whole(0u));
+        (bits.low & whole::load(f.samples.data() + i)).store(low + i);
+        (bits.high & whole::load(f.samples_high.data() + i)).store(high + i);
+    }
+}
+
 // Keeps decides: Keeps(shape), clear(place), and keep(stream, i, names) for fragments i, i + 1,
 // ..., where names are what it makes of their runs by name(run), 0 if it has none.
 template <int S, class Keeps>
@@ -76,13 +92,7 @@ public:
     void insert(const FragmentStream& f, int)
     {
         if constexpr (Keeps::kNamed) name_fragments(f);
-        for (std::size_t i = 0; i < static_cast<std::size_t>(f.size); i += FragmentLanes::kCount) {
-            using whole = FragmentLanes::whole;
-            const KeptSamples bits =
-                keeps_.keep(f, i, Keeps::kNamed ? whole::load(names_.data() + i) : whole(0u));
-            (bits.low & whole::load(f.samples.data() + i)).store(low_.data() + i);
-            (bits.high & whole::load(f.samples_high.data() + i)).store(high_.data() + i);
-        }
+        mark_kept_samples(keeps_, f, names_.data(), low_.data(), high_.data());
         with_sample_count<S>(set_.count, [&](auto samples) HWY_ATTR {
             for (int r = 0; r < f.run_count; ++r) insert_run<samples>(f, f.runs[r]);
         });
