@@ -46,8 +46,8 @@ HWY_INLINE PixelPlaces pixel_places(const TilePlace& tile, const FragmentStream&
     return {whole(tile.x) + (pixel & whole(kTileSize - 1)), whole(tile.y) + pixel.shift_right<5>()};
 }
 
-// Asks `keeps` for each fragment of a stream, into low and high. Not inlined, so that thresholds are
-// compiled once and not for each number of samples.
+// Asks `keeps` for each fragment of a stream, into low and high. Not inlined, so that thresholds
+// are compiled once and not for each number of samples.
 template <class Keeps>
 HWY_NOINLINE void mark_kept_samples(const Keeps& keeps, const FragmentStream& f,
                                     const std::uint32_t* names, std::uint32_t* low,
