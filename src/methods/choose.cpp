@@ -29,11 +29,11 @@ const MethodRow& find_row(std::string_view id)
 
 std::size_t find_parameter(const MethodRow& row, std::string_view name)
 {
-    std::vector<std::string> known;
     for (std::size_t i = 0; i < row.parameters.size(); ++i) {
         if (row.parameters[i].name == name) return i;
-        known.emplace_back(row.parameters[i].name);
     }
+    std::vector<std::string> known;
+    for (const Parameter& parameter : row.parameters) known.emplace_back(parameter.name);
     throw Error(Fault::input, "method: " + std::string(row.id) + " has no parameter " +
                                   quoted(name) + suggestion(name, known) + "; it has " +
                                   (known.empty() ? "none" : joined(known)));
