@@ -19,7 +19,8 @@ struct FragmentRun {
     bool back_facing = false;  // seen from behind
 };
 
-// Structure of arrays; kSlack values past `size` may be written to.
+// Structure of arrays; kSlack values past `size` may be written to, and read, of which nothing may
+// come: pixels there are some of the tile's, samples none or some, the rest anything.
 struct FragmentStream {
     static constexpr int kSlack = 16;  // one vector
 
@@ -48,25 +49,24 @@ struct FragmentStream {
     FragmentStream() = default;
     explicit FragmentStream(int most, bool with_colors = false, bool with_places = false)
         : capacity(most),
-          runs(most),
+          runs(static_cast<std::size_t>(most), Unwritten{}),
           pixel(most + kSlack),
           samples(most + kSlack),
           samples_high(most + kSlack),
-          depth(most + kSlack),
-          red(most + kSlack),
-          green(most + kSlack),
-          blue(most + kSlack),
-          opacity(most + kSlack)
+          colored(with_colors),
+          placed(with_places)
     {
-        colored = with_colors;
-        placed = with_places;
+        const auto make = [&](AlignedArray<float>& values) {
+            values = AlignedArray<float>(static_cast<std::size_t>(most + kSlack), Unwritten{});
+        };
+        for (AlignedArray<float>* values : {&depth, &red, &green, &blue, &opacity}) make(*values);
         for (AlignedArray<float>* through : {&through_red, &through_green, &through_blue}) {
-            if (colored) *through = AlignedArray<float>(most + kSlack);
+            if (colored) make(*through);
         }
         for (AlignedArray<float>& coordinate : place) {
-            if (placed) coordinate = AlignedArray<float>(most + kSlack);
+            if (placed) make(coordinate);
         }
-        if (placed) level = AlignedArray<float>(most + kSlack);
+        if (placed) make(level);
     }
 
     void clear() { size = run_count = 0; }

@@ -1,4 +1,4 @@
-// Arrays that start on a cache line and whose elements start as zeros.
+// Arrays that start on a cache line and whose elements start as zeros, if not asked for unwritten.
 #pragma once
 
 #include <cstddef>
@@ -8,6 +8,10 @@
 
 namespace sheer {
 
+// Asks for elements that are to be written before they are read: large arrays then cost no more
+// than what of them is used.
+struct Unwritten {};
+
 template <class T>
 class AlignedArray {
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
@@ -15,10 +19,13 @@ class AlignedArray {
 public:
     AlignedArray() = default;
     explicit AlignedArray(int size) : AlignedArray(static_cast<std::size_t>(size)) {}
-    explicit AlignedArray(std::size_t size)
-        : data_(static_cast<T*>(::operator new(size * sizeof(T), kAlignment))), size_(size)
+    explicit AlignedArray(std::size_t size) : AlignedArray(size, Unwritten{})
     {
         std::uninitialized_value_construct_n(data_.get(), size);
+    }
+    AlignedArray(std::size_t size, Unwritten)
+        : data_(static_cast<T*>(::operator new(size * sizeof(T), kAlignment))), size_(size)
+    {
     }
 
     T* data() { return data_.get(); }

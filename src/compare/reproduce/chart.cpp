@@ -29,7 +29,7 @@ bool is_drawn(double x, double y)
     return x > 0 && y > 0 && std::isfinite(y);
 }
 
-struct Frame {
+struct Plot {
     double least_x = 1e300, most_x = -1e300, least_y = 1e300, most_y = -1e300;  // logarithms
     bool has_infinity = false;
     bool is_even = false;  // upwards
@@ -73,38 +73,38 @@ std::string power_text(double log2_x)
                       : fixed(std::ldexp(1, static_cast<int>(log2_x)), 0);
 }
 
-std::string axes(const Frame& frame, const std::string& across)
+std::string axes(const Plot& plot, const std::string& across)
 {
     std::string svg;
-    for (double x = frame.least_x; x <= frame.end_x(); ++x) {
-        svg += grid_line({frame.across(x), kTop}, {frame.across(x), kHeight - kBottom});
-        svg += text_at({frame.across(x), kHeight - kBottom + 18},
-                       x > frame.most_x ? "infinity" : power_text(x), " text-anchor=\"middle\"");
+    for (double x = plot.least_x; x <= plot.end_x(); ++x) {
+        svg += grid_line({plot.across(x), kTop}, {plot.across(x), kHeight - kBottom});
+        svg += text_at({plot.across(x), kHeight - kBottom + 18},
+                       x > plot.most_x ? "infinity" : power_text(x), " text-anchor=\"middle\"");
     }
-    const double steps = (frame.most_y - frame.least_y) / frame.step_y();
+    const double steps = (plot.most_y - plot.least_y) / plot.step_y();
     for (int i = 0; i <= steps + 0.5; ++i) {
-        const double y = frame.least_y + i * frame.step_y();
-        svg += grid_line({kLeft, frame.down(y)}, {kWidth - kRight, frame.down(y)});
-        svg += text_at({kLeft - 8, frame.down(y) + 4},
-                       frame.is_even ? fixed(y, 1) : "1e" + fixed(y, 0), " text-anchor=\"end\"");
+        const double y = plot.least_y + i * plot.step_y();
+        svg += grid_line({kLeft, plot.down(y)}, {kWidth - kRight, plot.down(y)});
+        svg += text_at({kLeft - 8, plot.down(y) + 4},
+                       plot.is_even ? fixed(y, 1) : "1e" + fixed(y, 0), " text-anchor=\"end\"");
     }
     return svg + text_at({(kLeft + kWidth - kRight) / 2, kHeight - 10}, across,
                          " text-anchor=\"middle\"");
 }
 
-std::string chart_in(Frame frame, const std::string& title, const std::vector<Series>& series,
+std::string chart_in(Plot plot, const std::string& title, const std::vector<Series>& series,
                      const std::string& across)
 {
     for (const Series& s : series) {
         for (std::size_t i = 0; i < s.x.size(); ++i) {
-            if (frame.draws(s.x[i], s.y[i])) frame.take(s.x[i], s.y[i]);
+            if (plot.draws(s.x[i], s.y[i])) plot.take(s.x[i], s.y[i]);
         }
     }
     std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + fixed(kWidth, 0) +
                       "\" height=\"" + fixed(kHeight, 0) +
                       "\" font-family=\"sans-serif\" font-size=\"12\">\n"
                       "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-    svg += text_at({kLeft, 24}, title, " font-size=\"14\"") + axes(frame, across);
+    svg += text_at({kLeft, 24}, title, " font-size=\"14\"") + axes(plot, across);
     for (std::size_t k = 0; k < series.size(); ++k) {
         // Dashed from the eighth on.
         const std::string dashes[] = {"", " stroke-dasharray=\"7 3\"", " stroke-dasharray=\"2 3\""};
@@ -113,9 +113,9 @@ std::string chart_in(Frame frame, const std::string& title, const std::vector<Se
                                   dashes[k / std::size(kColors) % std::size(dashes)];
         std::string points;
         for (std::size_t i = 0; i < series[k].x.size(); ++i) {
-            if (!frame.draws(series[k].x[i], series[k].y[i])) continue;
-            points += fixed(frame.across(frame.log2_of(series[k].x[i])), 1) + "," +
-                      fixed(frame.down(frame.up(series[k].y[i])), 1) + " ";
+            if (!plot.draws(series[k].x[i], series[k].y[i])) continue;
+            points += fixed(plot.across(plot.log2_of(series[k].x[i])), 1) + "," +
+                      fixed(plot.down(plot.up(series[k].y[i])), 1) + " ";
         }
         if (points.empty()) continue;
         svg += "<polyline " + style + " points=\"" + points + "\"/>\n";
@@ -137,9 +137,9 @@ std::string log_log_chart(const std::string& title, const std::vector<Series>& s
 std::string log_linear_chart(const std::string& title, const std::vector<Series>& series,
                              const std::string& across)
 {
-    Frame frame;
-    frame.is_even = true;
-    return chart_in(frame, title, series, across);
+    Plot plot;
+    plot.is_even = true;
+    return chart_in(plot, title, series, across);
 }
 
 double log_log_slope(const Series& series)
