@@ -8,33 +8,9 @@
 #include <sheer/sheer.h>
 
 #include "methods/method.h"
-#include "simd_levels.h"
+#include "same_bits.h"
 
 namespace sheer {
-
-namespace {
-
-void expect_same_bits(const std::string& source, const View& view, const std::string& method)
-{
-    const Scene scene = load(source);
-    Options options;
-    options.method = method;
-    options.threads = 1;
-    options.simd = Simd::scalar;
-    const Image expected = render(scene, view, options).image;
-    for (const Simd level : simd_levels()) {
-        for (const int threads : {1, 2, 7}) {
-            options.simd = level;
-            options.threads = threads;
-            const Frame frame = render(scene, view, options);
-            EXPECT_EQ(frame.image.pixels, expected.pixels)
-                << source << ", " << method << ", S = " << view.samples << ", " << frame.stats.simd
-                << ", " << threads << " threads";
-        }
-    }
-}
-
-}  // namespace
 
 // The order of submission is not seen: identities break ties.
 TEST(Bits, AnyOrderOfSubmission)

@@ -9,7 +9,7 @@
 #include "cpu/shading_rates.h"
 #include "methods/statistics.h"
 #include "shade/textured_wall.h"
-#include "simd_levels.h"
+#include "same_bits.h"
 
 namespace sheer {
 namespace {
@@ -112,17 +112,7 @@ TEST(Foveation, SameBitsOnEveryLevelAndAnyNumberOfThreads)
         view.filter = Filter::gaussian;
         view.foveation = Foveation{30, 20, 12};
         for (const char* method : {"exact", "hashed-alpha-test:fade-in=6"}) {
-            Options options;
-            options.method = method;
-            options.simd = Simd::scalar;
-            options.threads = 1;
-            const Image expected = render(scene, view, options).image;
-            for (const Simd level : simd_levels()) {
-                options.simd = level;
-                options.threads = options.threads == 1 ? 2 : 7;
-                EXPECT_EQ(render(scene, view, options).image.pixels, expected.pixels)
-                    << source << ", level " << static_cast<int>(level);
-            }
+            expect_same_bits(scene, view, method, source);
         }
     }
 }

@@ -10,7 +10,7 @@
 
 #include "methods/statistics.h"
 #include "shadows/sheets.h"
-#include "simd_levels.h"
+#include "same_bits.h"
 
 namespace sheer {
 namespace {
@@ -341,17 +341,7 @@ TEST(AmbientOcclusion, SameBitsOnEveryLevelAndAnyNumberOfThreads)
         for (const AmbientOcclusion& kind : kKinds) {
             if (kind.rays > 5) continue;
             view.ambient_occlusion = kind;
-            Options options;
-            options.method = "blend";
-            options.simd = Simd::scalar;
-            options.threads = 1;
-            const Image expected = render(scene, view, options).image;
-            for (const Simd level : simd_levels()) {
-                options.simd = level;
-                options.threads = options.threads == 1 ? 2 : 7;
-                EXPECT_EQ(render(scene, view, options).image.pixels, expected.pixels)
-                    << source << ", level " << static_cast<int>(level);
-            }
+            expect_same_bits(scene, view, "blend", source);
         }
     }
 }

@@ -9,7 +9,7 @@
 #include <sheer/sheer.h>
 
 #include "shadows/sheets.h"
-#include "simd_levels.h"
+#include "same_bits.h"
 
 namespace sheer {
 
@@ -38,16 +38,7 @@ TEST(ShadowBits, SameBitsOnEveryLevelAndAnyNumberOfThreads)
         if (std::string(source) == "builtin:cloth") kinds.push_back(exact_shadows());
         for (const Shadows& shadows : kinds) {
             view.shadows = shadows;
-            Options options;
-            options.simd = Simd::scalar;
-            options.threads = 1;
-            const Image expected = render(scene, view, options).image;
-            for (const Simd level : simd_levels()) {
-                options.simd = level;
-                options.threads = 3;
-                EXPECT_EQ(render(scene, view, options).image.pixels, expected.pixels)
-                    << source << ", level " << static_cast<int>(level);
-            }
+            expect_same_bits(scene, view, "exact", source);
         }
     }
 }
