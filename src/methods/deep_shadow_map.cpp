@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory_resource>
 #include <vector>
 
 #include <hwy/foreach_target.h>
@@ -19,6 +20,7 @@
 #include "methods/deep_shadow_settings.h"
 #include "methods/samples-inl.h"
 #include "raster/sample_depth-inl.h"
+#include "support/pages.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -45,6 +47,7 @@ public:
     explicit DeepShadowTile(const StoreShape& shape)
         : set_(*shape.samples),
           settings_(deep_shadow_settings(*shape.method)),
+          memory_(memory_within(shape.most_bytes)),
           sums_(set_.count),
           most_bytes_(shape.most_bytes - std::min(shape.most_bytes, sums_bytes()))
     {
@@ -136,10 +139,10 @@ private:
     }
     void give_back()
     {
-        std::vector<Occluder>().swap(occluders_);
-        std::vector<Occluder>().swap(by_pixel_);
-        std::vector<LayerRun>().swap(runs_);
-        std::vector<float>().swap(vertices_);
+        sheer::give_back(occluders_);
+        sheer::give_back(by_pixel_);
+        sheer::give_back(runs_);
+        sheer::give_back(vertices_);
     }
 
     bool collect(const FragmentStream& f)
@@ -172,8 +175,8 @@ private:
             make_curves_of(pixel, maker);
             if (touched() > most_bytes_) return false;
         }
-        std::vector<Occluder>().swap(occluders_);
-        std::vector<Occluder>().swap(by_pixel_);
+        sheer::give_back(occluders_);
+        sheer::give_back(by_pixel_);
         return true;
     }
 
@@ -265,14 +268,15 @@ private:
 
     const SampleSet& set_;
     const DeepShadowSettings settings_;
-    std::vector<Occluder> occluders_, by_pixel_;
-    std::vector<LayerRun> runs_;
+    std::pmr::memory_resource* const memory_;
+    std::pmr::vector<Occluder> occluders_{memory_}, by_pixel_{memory_};
+    std::pmr::vector<LayerRun> runs_{memory_};
     std::vector<std::uint32_t> counts_ = std::vector<std::uint32_t>(kTilePixels);
     std::uint32_t ends_[kTilePixels] = {};  // of each pixel in by_pixel_
     // A pixel's curves: vertex after vertex, the z of all samples and then their v, from firsts_
     // on; the longest of them has as many vertices as lengths_ says, the others have vertices
     // beyond any depth at their end.
-    std::vector<float> vertices_;
+    std::pmr::vector<float> vertices_{memory_};
     std::size_t firsts_[kTilePixels] = {};
     std::uint32_t lengths_[kTilePixels] = {};
     std::vector<std::vector<CurveVertex>> curves_;  // of the pixel at hand

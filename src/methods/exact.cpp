@@ -19,6 +19,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <type_traits>
 #include <vector>
 
@@ -31,6 +32,7 @@
 #include "methods/exact_verbs-inl.h"
 #include "methods/samples-inl.h"
 #include "raster/sample_depth-inl.h"
+#include "support/pages.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -50,17 +52,19 @@ struct ExactStore {
 
     const SampleSet& set;
     const std::size_t most_bytes;
-    ExactLists<Layer> lists;
+    std::pmr::memory_resource* const memory;
+    ExactLists<Layer> lists{memory};
     // Since memory was given back: the most there was of each, and the bytes of all.
     std::size_t most_layers = 0, most_runs = 0, most_in_any_pixel = 0, touched = 0;
     // Of the pixel at hand.
-    std::vector<Placed<Layer>> order;  // its layers, near to far
+    std::pmr::vector<Placed<Layer>> order{memory};  // its layers, near to far
     // Of its samples s, s + 1, ...: a value a lane, layer after layer.
-    std::vector<float> furthest;      // the most that the layer's depth may be
-    std::vector<float> nearest_from;  // the least that depth may be of it or any after it
-    std::vector<PreciselyPlaced<Layer>> sample_order;  // of one sample
+    std::pmr::vector<float> furthest{memory};      // the most that the layer's depth may be
+    std::pmr::vector<float> nearest_from{memory};  // the least that depth may be, of any from it on
+    std::pmr::vector<PreciselyPlaced<Layer>> sample_order{memory};  // of one sample
 
-    explicit ExactStore(const StoreShape& shape) : set(*shape.samples), most_bytes(shape.most_bytes)
+    explicit ExactStore(const StoreShape& shape)
+        : set(*shape.samples), most_bytes(shape.most_bytes), memory(memory_within(most_bytes))
     {
     }
 
@@ -103,9 +107,10 @@ struct ExactStore {
     void give_back()
     {
         lists.give_back();
-        for (std::vector<float>* v : {&nearest_from, &furthest}) std::vector<float>().swap(*v);
-        std::vector<Placed<Layer>>().swap(order);
-        std::vector<PreciselyPlaced<Layer>>().swap(sample_order);
+        sheer::give_back(furthest);
+        sheer::give_back(nearest_from);
+        sheer::give_back(order);
+        sheer::give_back(sample_order);
         most_layers = most_runs = most_in_any_pixel = touched = 0;
     }
 

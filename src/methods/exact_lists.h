@@ -6,27 +6,40 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory_resource>
 #include <vector>
 
 #include <hwy/cache_control.h>
 
 #include "methods/exact_layers.h"
+#include "support/pages.h"
 
 namespace sheer {
 
 template <class Layer>
 struct ExactLists {
-    std::vector<Layer> layers;          // as they came
-    std::vector<std::uint16_t> pixels;  // of each layer
-    std::vector<float> depths;          // of each, at the first sample that it covers
-    std::vector<LayerRun> runs;
+    std::pmr::vector<Layer> layers;          // as they came
+    std::pmr::vector<std::uint16_t> pixels;  // of each layer
+    std::pmr::vector<float> depths;          // of each, at the first sample that it covers
+    std::pmr::vector<LayerRun> runs;
     std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(kTilePixels);  // of layers
     std::uint32_t most_in_pixel = 0;
     // After `list`: the layers of pixel p are by_pixel[first[p] .. first[p + 1]), each its depth,
     // as ordered_bits, above its number. Their triangles are roughly near to far, and so are they,
     // but for triangles that overlap in depth.
     std::vector<std::uint32_t> first = std::vector<std::uint32_t>(kTilePixels + 1);
-    std::vector<std::uint64_t> by_pixel;
+    std::pmr::vector<std::uint64_t> by_pixel;
+
+    explicit ExactLists(std::pmr::memory_resource* memory)
+        : layers(memory),
+          pixels(memory),
+          depths(memory),
+          runs(memory),
+          by_pixel(memory),
+          bucket_of_(memory),
+          near_to_far_(memory)
+    {
+    }
 
     static constexpr std::size_t kBytesOfLayer =
         sizeof(Layer) + sizeof(pixels[0]) + sizeof(depths[0]) + sizeof(by_pixel[0]);
@@ -55,13 +68,13 @@ struct ExactLists {
 
     void give_back()
     {
-        std::vector<Layer>().swap(layers);
-        std::vector<std::uint16_t>().swap(pixels);
-        std::vector<LayerRun>().swap(runs);
-        std::vector<float>().swap(depths);
-        std::vector<std::uint64_t>().swap(by_pixel);
-        std::vector<std::uint32_t>().swap(bucket_of_);
-        std::vector<std::uint32_t>().swap(near_to_far_);
+        sheer::give_back(layers);
+        sheer::give_back(pixels);
+        sheer::give_back(depths);
+        sheer::give_back(runs);
+        sheer::give_back(by_pixel);
+        sheer::give_back(bucket_of_);
+        sheer::give_back(near_to_far_);
     }
 
     void count(const FragmentStream& f)
@@ -169,7 +182,7 @@ private:
 
     static constexpr std::size_t kRunsAhead = 8;
 
-    std::vector<std::uint32_t> bucket_of_, near_to_far_;
+    std::pmr::vector<std::uint32_t> bucket_of_, near_to_far_;
 };
 
 }  // namespace sheer

@@ -242,6 +242,34 @@ TEST(CliRender, ReadingKeepsTheMemoryLimit)
     EXPECT_FALSE(std::filesystem::exists(tool.file("a.exr")));
 }
 
+// Of the whole process, from the truth to the report: layers that take several times the limit.
+TEST(CliCompare, KeepsItsMemoryLimit)
+{
+    const Tool tool;
+    const auto compare = [&](const char* folder, std::vector<std::string> more) {
+        std::vector<std::string> arguments = {"compare",   "builtin:layers?n=1000&alpha=0.01",
+                                              "-o",        folder,
+                                              "--size",    "96x96",
+                                              "--samples", "2",
+                                              "--methods", "exact,blend,deep-shadow-map"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = tool.run(arguments);
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+        return outcome.peak_memory;
+    };
+    EXPECT_GT(compare("free", {}), 180u << 20);
+    for (const std::uint64_t limit : {64, 96}) {
+        const std::string folder = std::to_string(limit);
+        EXPECT_LE(compare(folder.c_str(), {"--memory-limit", folder}), limit << 20);
+        for (const char* name : {"truth", "exact.s2", "deep-shadow-map.s2"}) {
+            const std::string file = std::string("/") + name + ".exr";
+            EXPECT_EQ(read_image(tool.file(folder + file)).pixels,
+                      read_image(tool.file("free" + file)).pixels)
+                << name;
+        }
+    }
+}
+
 // The peak is that of the whole process, the picture's file included.
 TEST(CliRender, KeepsItsMemoryLimit)
 {

@@ -1,6 +1,7 @@
 // Runs the tool as a shell would, in a folder of the test's own, and keeps what it said.
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ namespace sheer::test {
 struct Outcome {
     int exit_code = -1;  // -1: ended by a signal
     std::string out, err;
+    std::uint64_t peak_memory = 0;  // bytes
 };
 
 // What is unusual about a run.
@@ -34,8 +36,10 @@ public:
         if (child < 0) throw std::runtime_error("fork failed");
         if (child == 0) become_tool(arguments, how);
         int status = 0;
-        waitpid(child, &status, 0);
+        rusage usage{};
+        wait4(child, &status, 0, &usage);
         Outcome outcome;
+        outcome.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
         if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
         outcome.out = text_of(logs_.file("out"));
         outcome.err = text_of(logs_.file("err"));
