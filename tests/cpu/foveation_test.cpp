@@ -38,10 +38,18 @@ TEST(Foveation, RatesFallWithTheDistance)
             const int i = (y - rect.y0) * kTileSize + x - rect.x0;
             const auto side = static_cast<int>(rates.side[i]);
             const double from = distance(foveation, x, y);
-            if (from <= 9) EXPECT_EQ(side, 1);
-            if (from <= 18) EXPECT_LE(side, 2);
-            if (from > 9 + 2 * std::sqrt(2.0)) EXPECT_GE(side, 2);
-            if (from > 18 + 4 * std::sqrt(2.0)) EXPECT_EQ(side, 4);
+            if (from <= 9) {
+                EXPECT_EQ(side, 1);
+            }
+            if (from <= 18) {
+                EXPECT_LE(side, 2);
+            }
+            if (from > 9 + 2 * std::sqrt(2.0)) {
+                EXPECT_GE(side, 2);
+            }
+            if (from > 18 + 4 * std::sqrt(2.0)) {
+                EXPECT_EQ(side, 4);
+            }
             // Squares lie on the picture, and a pixel is no farther from its middle than a corner.
             const double left = static_cast<double>(rates.x[i]) - 0.5 * (side - 1) + rect.x0;
             const double top = static_cast<double>(rates.y[i]) - 0.5 * (side - 1) + rect.y0;
