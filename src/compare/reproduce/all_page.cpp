@@ -216,12 +216,15 @@ std::string all_page_html(const AllPage& page)
         all.agree += count.agree;
         all.all += count.all;
     }
-    std::string html = std::string(kHead) +
-                       "<header><h1>The papers' tables and figures</h1>\n<p>Ours beside theirs: " +
-                       std::to_string(all.agree) + " of " + std::to_string(all.all) +
-                       " printed numbers agree within their bands. Those that do not stand here "
-                       "with what is known of why. Made by <code>" +
-                       escaped(page.command) + "</code>, " + escaped(page.tool) + ".</p>\n";
+    std::string html(kHead);
+    html += "<header><h1>The papers' tables and figures</h1>\n<p>";
+    if (all.all > 0) {
+        html += "Ours beside theirs: " + std::to_string(all.agree) + " of " +
+                std::to_string(all.all) +
+                " printed numbers agree within their bands. Those that do not stand here with what "
+                "is known of why. ";
+    }
+    html += "Made by <code>" + escaped(page.command) + "</code>, " + escaped(page.tool) + ".</p>\n";
     if (page.quick) {
         html +=
             "<p class=\"no\">Made in a hurry (--quick): smaller pictures and fewer trials, so "
