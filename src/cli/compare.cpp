@@ -148,16 +148,21 @@ std::size_t pictures_besides(const CompareRequest& request)
     return 2 * (1 + request.methods.size() * request.samples.size()) + 6;
 }
 
+// What the fragments of the report's curves may take of a limit: most of it is the renderer's.
+constexpr std::uint64_t kCurvesShare = 8;
+
 Result compare_all(const Scene& scene, CompareRequest& request)
 {
     ProgressBar bar("comparing");
     const std::uint64_t one = picture_bytes(request.given.view);
     Probes probes(request.given.view.width, request.given.view.height, kProbes);
     PixelKinds kinds(request.given.view.width, request.given.view.height, request.samples.front());
-    ProbeFragments fragments(probes.results());
+    const std::uint64_t limit = request.given.options.memory_limit;
+    const std::uint64_t curves = limit / kCurvesShare;
+    ProbeFragments fragments(probes.results(), limit == 0 ? ~std::uint64_t{0} : curves);
     SinkList sinks({&probes, &kinds, &fragments});
-    ComparisonRequest comparison{request.methods, request.seeds, pictures_besides(request) * one,
-                                 &sinks, &kinds};
+    ComparisonRequest comparison{request.methods, request.seeds,
+                                 pictures_besides(request) * one + curves, &sinks, &kinds};
     const WorkShares shares = work_shares(request.given.view, comparison, request.samples);
     double done = 0, share = shares.truth;
     Options options = request.given.options;

@@ -36,7 +36,7 @@ std::vector<Event> events_of(const std::vector<PixelFragment>& fragments, const 
 void PixelFragments::take(const PixelRect& rect, const PixelRect& interior,
                           const ChannelShape& shape, const FragmentStream& stream)
 {
-    if (!meet(interior, {x_, y_, x_ + 1, y_ + 1})) return;
+    if (too_many_ || !meet(interior, {x_, y_, x_ + 1, y_ + 1})) return;
     eye = shape.eye;
     place = {rect.x0, rect.y0};
     in_tile = static_cast<std::uint32_t>((y_ - rect.y0) * kTileSize + x_ - rect.x0);
@@ -44,6 +44,11 @@ void PixelFragments::take(const PixelRect& rect, const PixelRect& interior,
         const FragmentRun& run = stream.runs[r];
         for (std::size_t i = run.first; i < run.first + run.count; ++i) {
             if (stream.pixel[i] != in_tile) continue;
+            too_many_ = fragments.size() == most_;
+            if (too_many_) {
+                std::vector<PixelFragment>().swap(fragments);
+                return;
+            }
             fragments.push_back({run, stream.depth[i], stream.sample_bits(i), stream.red[i],
                                  stream.green[i], stream.blue[i], stream.opacity[i]});
         }

@@ -1,6 +1,7 @@
 // All that is transparent in one pixel, and what light passes through it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -28,6 +29,8 @@ struct TransmittanceStep {
 class PixelFragments : public FragmentSink {
 public:
     PixelFragments(int x, int y) : x_(x), y_(y) {}
+    // Of a pixel of more fragments than `most` none are kept.
+    PixelFragments(int x, int y, std::size_t most) : x_(x), y_(y), most_(most) {}
 
     void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
               const FragmentStream& stream) override;
@@ -42,6 +45,8 @@ public:
 
 private:
     int x_, y_;
+    std::size_t most_ = ~std::size_t{0};
+    bool too_many_ = false;
 };
 
 // What is true: at every sample the product of 1 - opacity over the fragments that cover it and are

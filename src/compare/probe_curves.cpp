@@ -1,6 +1,8 @@
 // Each pixel's functions, one after the other.
 #include "compare/probe_curves.h"
 
+#include <algorithm>
+
 namespace sheer {
 
 namespace {
@@ -10,9 +12,13 @@ constexpr DepthsToAsk kDepths = {.distances = 160, .most_steps = 24};
 
 }  // namespace
 
-ProbeFragments::ProbeFragments(const std::vector<Probe>& probes)
+ProbeFragments::ProbeFragments(const std::vector<Probe>& probes, std::uint64_t most_bytes)
 {
-    for (const Probe& probe : probes) pixels_.emplace_back(probe.x, probe.y);
+    // A vector that grows holds its old contents beside the new for a while: three times what it
+    // was.
+    const std::uint64_t most =
+        most_bytes / (3 * sizeof(PixelFragment) * std::max<std::size_t>(probes.size(), 1));
+    for (const Probe& probe : probes) pixels_.emplace_back(probe.x, probe.y, most);
 }
 
 void ProbeFragments::take(const PixelRect& rect, const PixelRect& interior,

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 
 #include <sheer/sheer.h>
 
@@ -15,7 +16,8 @@ namespace {
 const std::vector<std::string> kMethods = {"blend", "adaptive", "wboit", "mboit:moments=8"};
 
 struct Drawn {
-    Drawn(const char* source, int threads) : scene(load(source))
+    Drawn(const char* source, int threads, std::uint64_t most_bytes = ~std::uint64_t{0})
+        : scene(load(source))
     {
         view.width = 70;
         view.height = 40;
@@ -23,9 +25,12 @@ struct Drawn {
         options.threads = threads;
         Probes probes(view.width, view.height, 30);
         positions = probes.results();
-        ProbeFragments fragments(positions);
+        ProbeFragments fragments(positions, most_bytes);
         const Take take{.method = choose_method("blend"), .keys = {frame_key(0, 0)}};
         render_takes(scene, view, options, {.takes = {&take, 1}, .sink = &fragments});
+        for (const PixelFragments& pixel : fragments.pixels()) {
+            fragments_of.push_back(pixel.fragments.size());
+        }
         curves = probe_curves(fragments, kMethods, setting());
     }
     DepthFunctionSetting setting() const { return {samples, targets_of(Simd::best), 0}; }
@@ -35,6 +40,7 @@ struct Drawn {
     Options options;
     SampleSet samples = make_sample_set(4, SamplePositions::standard);
     std::vector<Probe> positions;
+    std::vector<std::size_t> fragments_of;  // of each
     ProbeCurves curves;
 };
 
@@ -78,6 +84,25 @@ TEST(ProbeCurves, AreThoseOfEachPixel)
         }
     }
     EXPECT_GT(seen, 2u);
+}
+
+TEST(ProbeCurves, OfPixelsWhoseFragmentsAreTooManyThereAreNone)
+{
+    const char* source = "builtin:foliage";
+    const Drawn all(source, 2);
+    constexpr std::size_t kMost = 6;
+    const Drawn some(source, 2, 3 * kMost * sizeof(PixelFragment) * all.positions.size());
+    std::size_t without = 0, with = 0;
+    for (std::size_t i = 0; i < all.positions.size(); ++i) {
+        const bool fits = all.fragments_of[i] <= kMost;
+        EXPECT_EQ(some.fragments_of[i], fits ? all.fragments_of[i] : 0) << i;
+        EXPECT_EQ(some.curves.pixels[i].distances,
+                  fits ? all.curves.pixels[i].distances : std::vector<double>{})
+            << i;
+        ++(fits ? with : without);
+    }
+    EXPECT_GT(with, 3u);
+    EXPECT_GT(without, 3u);
 }
 
 // Two layers are not too many for eight nodes: exact everywhere.

@@ -38,7 +38,7 @@ View square_view(int side, int samples)
 
 std::string with_sequence(const std::string& sequence)
 {
-    return std::string(kStratified) + ":sequence=" + sequence;
+    return stratified_with("sequence=" + sequence);
 }
 
 // 0 where there is no variance.

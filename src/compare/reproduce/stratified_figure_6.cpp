@@ -26,7 +26,7 @@ struct Part {
     std::string method;
 };
 
-const Part kParts[] = {{"a", "compaction", std::string(kStratified) + ":sort=off"},
+const Part kParts[] = {{"a", "compaction", stratified_with("sort=off")},
                        {"b", "compaction and sorting", kStratified},
                        {"c", "the comparison", kDepthTested}};
 

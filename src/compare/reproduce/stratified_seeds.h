@@ -11,6 +11,13 @@
 namespace sheer {
 
 inline constexpr const char* kStratified = "stratified-stochastic";
+
+// With parameters, NAME=VALUE[:NAME=VALUE]...
+inline std::string stratified_with(const std::string& parameters)
+{
+    std::string method = kStratified;
+    return method.append(":").append(parameters);
+}
 // The paper's assumption: the depth test before the number of samples is determined.
 inline constexpr const char* kDepthTested = "stochastic:masks=stratified:depth-test=before";
 

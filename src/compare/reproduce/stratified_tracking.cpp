@@ -113,7 +113,7 @@ void reproduce_stratified_tracking(const ReproduceEntry& entry, const ReproduceJ
                 table.rows.back().push_back(signed_number(mean.mean - truth, 6));
                 table.rows.back().push_back(number(mean.within, 6));
             }
-            table.rows.back().push_back(rmse(draw(std::string(kStratified) + ":tracking=off")));
+            table.rows.back().push_back(rmse(draw(stratified_with("tracking=off"))));
             table.rows.back().push_back(rmse(draw(kDepthTested)));
             job.progress(++done / (2 * std::size(kCases)));
         }
