@@ -148,21 +148,27 @@ std::size_t pictures_besides(const CompareRequest& request)
     return 2 * (1 + request.methods.size() * request.samples.size()) + 6;
 }
 
-// What the fragments of the report's curves may take of a limit: most of it is the renderer's.
-constexpr std::uint64_t kCurvesShare = 8;
+// Of a limit, for what the report shows of single pixels: most of it is the renderer's.
+constexpr std::uint64_t kProbesShare = 4;
+// What a layer of a probe takes at most: as a fragment and as a step of the report, in vectors that
+// grow and may be three times as large for a while; as eight numbers in JSON, and three times as
+// text.
+constexpr std::uint64_t kProbeLayerBytes = 1024;
 
 Result compare_all(const Scene& scene, CompareRequest& request)
 {
     ProgressBar bar("comparing");
     const std::uint64_t one = picture_bytes(request.given.view);
-    Probes probes(request.given.view.width, request.given.view.height, kProbes);
-    PixelKinds kinds(request.given.view.width, request.given.view.height, request.samples.front());
     const std::uint64_t limit = request.given.options.memory_limit;
-    const std::uint64_t curves = limit / kCurvesShare;
-    ProbeFragments fragments(probes.results(), limit == 0 ? ~std::uint64_t{0} : curves);
+    const std::size_t most_layers =
+        limit == 0 ? ~std::size_t{0} : limit / (kProbesShare * kProbes * kProbeLayerBytes);
+    Probes probes(request.given.view.width, request.given.view.height, kProbes, most_layers);
+    PixelKinds kinds(request.given.view.width, request.given.view.height, request.samples.front());
+    ProbeFragments fragments(probes.results(), most_layers);
     SinkList sinks({&probes, &kinds, &fragments});
     ComparisonRequest comparison{request.methods, request.seeds,
-                                 pictures_besides(request) * one + curves, &sinks, &kinds};
+                                 pictures_besides(request) * one + limit / kProbesShare, &sinks,
+                                 &kinds};
     const WorkShares shares = work_shares(request.given.view, comparison, request.samples);
     double done = 0, share = shares.truth;
     Options options = request.given.options;

@@ -50,9 +50,11 @@ Json probes_json(const std::vector<Probe>& probes)
                 numbers.push_back(short_number(value));
             }
             for (const float channel : step.color) numbers.push_back(srgb8_from_linear(channel));
-            steps.push_back(numbers);
+            steps.push_back(std::move(numbers));
         }
-        json.push_back(Json::array({probe.x, probe.y, steps}));
+        Json one = Json::array({probe.x, probe.y});
+        one.push_back(std::move(steps));
+        json.push_back(std::move(one));
     }
     return json;
 }
@@ -67,11 +69,13 @@ Json curves_json(const ProbeCurves& curves)
         for (const std::vector<double>& values : pixel.values) {
             Json thousandths = Json::array();
             for (const double value : values) thousandths.push_back(std::lround(1000 * value));
-            lists.push_back(thousandths);
+            lists.push_back(std::move(thousandths));
         }
-        pixels.push_back(lists);
+        pixels.push_back(std::move(lists));
     }
-    return {{"methods", curves.methods}, {"pixels", pixels}};
+    Json json = {{"methods", curves.methods}};
+    json["pixels"] = std::move(pixels);
+    return json;
 }
 
 }  // namespace
@@ -89,21 +93,21 @@ std::string compare_html(CompareReport report)
     }
     Json colors = Json::array();
     for (const auto& color : error_colors()) colors.push_back(color);
-    return report_html({{"tool", "sheer " SHEER_VERSION},
-                        {"scene", report.scene},
-                        {"command", report.command},
-                        {"width", report.width},
-                        {"height", report.height},
-                        {"truth",
-                         {{"samples", report.truth_samples},
-                          {"command", report.command},
-                          {"picture", std::move(report.pictures.truth)}}},
-                        {"error_map_scale", report.pictures.scale},
-                        {"colors", colors},
-                        {"probes", probes_json(report.probes)},
-                        {"failures", failures_json(report.kinds)},
-                        {"curves", curves_json(report.curves)},
-                        {"results", results}});
+    Json data = {{"tool", "sheer " SHEER_VERSION},
+                 {"scene", report.scene},
+                 {"command", report.command},
+                 {"width", report.width},
+                 {"height", report.height},
+                 {"truth", {{"samples", report.truth_samples}, {"command", report.command}}},
+                 {"error_map_scale", report.pictures.scale},
+                 {"colors", colors},
+                 {"failures", failures_json(report.kinds)}};
+    // What may be large is moved: a list of pairs would be copied.
+    data["truth"]["picture"] = std::move(report.pictures.truth);
+    data["probes"] = probes_json(report.probes);
+    data["curves"] = curves_json(report.curves);
+    data["results"] = std::move(results);
+    return report_html(data);
 }
 
 }  // namespace sheer

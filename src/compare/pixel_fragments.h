@@ -28,9 +28,8 @@ struct TransmittanceStep {
 
 class PixelFragments : public FragmentSink {
 public:
-    PixelFragments(int x, int y) : x_(x), y_(y) {}
     // Of a pixel of more fragments than `most` none are kept.
-    PixelFragments(int x, int y, std::size_t most) : x_(x), y_(y), most_(most) {}
+    PixelFragments(int x, int y, std::size_t most = ~std::size_t{0}) : x_(x), y_(y), most_(most) {}
 
     void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
               const FragmentStream& stream) override;
@@ -45,7 +44,7 @@ public:
 
 private:
     int x_, y_;
-    std::size_t most_ = ~std::size_t{0};
+    std::size_t most_;
     bool too_many_ = false;
 };
 

@@ -1,8 +1,6 @@
 // Each pixel's functions, one after the other.
 #include "compare/probe_curves.h"
 
-#include <algorithm>
-
 namespace sheer {
 
 namespace {
@@ -12,13 +10,9 @@ constexpr DepthsToAsk kDepths = {.distances = 160, .most_steps = 24};
 
 }  // namespace
 
-ProbeFragments::ProbeFragments(const std::vector<Probe>& probes, std::uint64_t most_bytes)
+ProbeFragments::ProbeFragments(const std::vector<Probe>& probes, std::size_t most_layers)
 {
-    // A vector that grows holds its old contents beside the new for a while: three times what it
-    // was.
-    const std::uint64_t most =
-        most_bytes / (3 * sizeof(PixelFragment) * std::max<std::size_t>(probes.size(), 1));
-    for (const Probe& probe : probes) pixels_.emplace_back(probe.x, probe.y, most);
+    for (const Probe& probe : probes) pixels_.emplace_back(probe.x, probe.y, most_layers);
 }
 
 void ProbeFragments::take(const PixelRect& rect, const PixelRect& interior,

@@ -1,7 +1,7 @@
 // What methods take the transmittance of a grid of pixels for, beside the probes' own.
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,8 +14,9 @@ namespace sheer {
 // All fragments of the pixels of probes, gathered while a frame is drawn.
 class ProbeFragments : public FragmentSink {
 public:
-    // Keeps at most so many bytes: pixels of too many fragments have none then, and no curves.
-    ProbeFragments(const std::vector<Probe>& probes, std::uint64_t most_bytes);
+    // Of a pixel of more fragments than `most_layers` none are kept, and there are no curves.
+    explicit ProbeFragments(const std::vector<Probe>& probes,
+                            std::size_t most_layers = ~std::size_t{0});
 
     void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
               const FragmentStream& stream) override;

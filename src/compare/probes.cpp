@@ -17,12 +17,14 @@ int spacing_for(int width, int height, int most)
 
 }  // namespace
 
-Probes::Probes(int width, int height, int most)
+Probes::Probes(int width, int height, int most, std::size_t most_layers)
     : spacing_(spacing_for(width, height, most)),
       first_(spacing_ / 2),
       columns_((std::max(width - first_, 1) + spacing_ - 1) / spacing_),
       rows_((std::max(height - first_, 1) + spacing_ - 1) / spacing_),
+      most_layers_(most_layers),
       kept_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+      too_many_(kept_.size()),
       samples_(kept_.size())
 {
 }
@@ -33,6 +35,12 @@ void Probes::take(const PixelRect& rect, const PixelRect& interior, const Channe
     const auto keep = [&](const FragmentRun& run, std::size_t i, int x, int y, float depth) {
         if (x % spacing_ != first_ % spacing_ || y % spacing_ != first_ % spacing_) return;
         const auto probe = static_cast<std::size_t>(y / spacing_ * columns_ + x / spacing_);
+        if (too_many_[probe] != 0) return;
+        if (kept_[probe].size() == most_layers_) {
+            too_many_[probe] = 1;
+            std::vector<Kept>().swap(kept_[probe]);
+            return;
+        }
         const std::uint64_t samples = stream.sample_bits(i);
         samples_[probe] = shape.samples;
         kept_[probe].push_back({depth,

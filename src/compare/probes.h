@@ -27,7 +27,8 @@ struct Probe {
 // About `most` pixels of the picture at equal distances; the same at any number of threads.
 class Probes : public FragmentSink {
 public:
-    Probes(int width, int height, int most);
+    // Of a pixel of more fragments than `most_layers` none are kept.
+    Probes(int width, int height, int most, std::size_t most_layers = ~std::size_t{0});
 
     void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
               const FragmentStream& stream) override;
@@ -46,8 +47,10 @@ private:
     };
 
     int spacing_, first_, columns_, rows_;
+    std::size_t most_layers_;
     std::vector<std::vector<Kept>> kept_;
-    std::vector<int> samples_;  // of a pixel
+    std::vector<char> too_many_;  // 1: of a pixel that had more
+    std::vector<int> samples_;    // of a pixel
 };
 
 }  // namespace sheer

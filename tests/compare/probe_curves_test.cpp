@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
+#include <cstddef>
 
 #include <sheer/sheer.h>
 
@@ -16,7 +16,7 @@ namespace {
 const std::vector<std::string> kMethods = {"blend", "adaptive", "wboit", "mboit:moments=8"};
 
 struct Drawn {
-    Drawn(const char* source, int threads, std::uint64_t most_bytes = ~std::uint64_t{0})
+    Drawn(const char* source, int threads, std::size_t most_layers = ~std::size_t{0})
         : scene(load(source))
     {
         view.width = 70;
@@ -25,7 +25,7 @@ struct Drawn {
         options.threads = threads;
         Probes probes(view.width, view.height, 30);
         positions = probes.results();
-        ProbeFragments fragments(positions, most_bytes);
+        ProbeFragments fragments(positions, most_layers);
         const Take take{.method = choose_method("blend"), .keys = {frame_key(0, 0)}};
         render_takes(scene, view, options, {.takes = {&take, 1}, .sink = &fragments});
         for (const PixelFragments& pixel : fragments.pixels()) {
@@ -91,7 +91,7 @@ TEST(ProbeCurves, OfPixelsWhoseFragmentsAreTooManyThereAreNone)
     const char* source = "builtin:foliage";
     const Drawn all(source, 2);
     constexpr std::size_t kMost = 6;
-    const Drawn some(source, 2, 3 * kMost * sizeof(PixelFragment) * all.positions.size());
+    const Drawn some(source, 2, kMost);
     std::size_t without = 0, with = 0;
     for (std::size_t i = 0; i < all.positions.size(); ++i) {
         const bool fits = all.fragments_of[i] <= kMost;
