@@ -148,33 +148,28 @@ std::size_t pictures_besides(const CompareRequest& request)
     return 2 * (1 + request.methods.size() * request.samples.size()) + 6;
 }
 
-// Of a limit, for what the report shows of single pixels: most of it is the renderer's.
-constexpr std::uint64_t kProbesShare = 4;
-// What a layer of a probe takes at most: as a fragment and as a step of the report, in vectors that
-// grow and may be three times as large for a while; as eight numbers in JSON, and three times as
-// text.
-constexpr std::uint64_t kProbeLayerBytes = 1024;
+// Of a limit, for what the report shows of single pixels: some fifty layers of each.
+constexpr std::uint64_t kProbesBytes = 16 * 1024 * 1024;
 
 Result compare_all(const Scene& scene, CompareRequest& request)
 {
     ProgressBar bar("comparing");
     const std::uint64_t one = picture_bytes(request.given.view);
-    const std::uint64_t limit = request.given.options.memory_limit;
-    const std::size_t most_layers =
-        limit == 0 ? ~std::size_t{0} : limit / (kProbesShare * kProbes * kProbeLayerBytes);
-    Probes probes(request.given.view.width, request.given.view.height, kProbes, most_layers);
+    const bool limited = request.given.options.memory_limit != 0;
+    Probes probes(request.given.view.width, request.given.view.height, kProbes,
+                  limited ? kProbesBytes : ~std::uint64_t{0});
     PixelKinds kinds(request.given.view.width, request.given.view.height, request.samples.front());
-    ProbeFragments fragments(probes.results(), most_layers);
+    ProbeFragments fragments(probes.results(), probes.most_layers());
     SinkList sinks({&probes, &kinds, &fragments});
+    const std::uint64_t pictures = pictures_besides(request) * one;
     ComparisonRequest comparison{request.methods, request.seeds,
-                                 pictures_besides(request) * one + limit / kProbesShare, &sinks,
-                                 &kinds};
+                                 pictures + (limited ? kProbesBytes : 0), &sinks, &kinds};
     const WorkShares shares = work_shares(request.given.view, comparison, request.samples);
     double done = 0, share = shares.truth;
     Options options = request.given.options;
     options.progress = [&](double part) { bar.update(done + part * share); };
     Result result{render_truth(scene, request.given.view, options, kTruthPasses,
-                               comparison.reserved_memory + pictures_at_once(comparison) * one),
+                               pictures + pictures_at_once(comparison) * one),
                   {},
                   {},
                   {},

@@ -37,7 +37,8 @@ double short_number(double value)
     return result;
 }
 
-// [[x, y, [[depth, behind, opacity, coverage, sRGB red, green, blue], ...]], ...]
+// [[x, y, [[depth, behind, opacity, coverage, sRGB red, green, blue], ...], whether there were too
+// many], ...]
 Json probes_json(const std::vector<Probe>& probes)
 {
     Json json = Json::array();
@@ -54,6 +55,7 @@ Json probes_json(const std::vector<Probe>& probes)
         }
         Json one = Json::array({probe.x, probe.y});
         one.push_back(std::move(steps));
+        one.push_back(probe.too_many);
         json.push_back(std::move(one));
     }
     return json;

@@ -36,7 +36,8 @@ std::vector<Event> events_of(const std::vector<PixelFragment>& fragments, const 
 void PixelFragments::take(const PixelRect& rect, const PixelRect& interior,
                           const ChannelShape& shape, const FragmentStream& stream)
 {
-    if (too_many_ || !meet(interior, {x_, y_, x_ + 1, y_ + 1})) return;
+    // Only the tile that has the pixel may look at what it writes: the others do so meanwhile.
+    if (!meet(interior, {x_, y_, x_ + 1, y_ + 1}) || too_many_) return;
     eye = shape.eye;
     place = {rect.x0, rect.y0};
     in_tile = static_cast<std::uint32_t>((y_ - rect.y0) * kTileSize + x_ - rect.x0);

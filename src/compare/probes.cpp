@@ -17,13 +17,13 @@ int spacing_for(int width, int height, int most)
 
 }  // namespace
 
-Probes::Probes(int width, int height, int most, std::size_t most_layers)
+Probes::Probes(int width, int height, int most, std::uint64_t most_bytes)
     : spacing_(spacing_for(width, height, most)),
       first_(spacing_ / 2),
       columns_((std::max(width - first_, 1) + spacing_ - 1) / spacing_),
       rows_((std::max(height - first_, 1) + spacing_ - 1) / spacing_),
-      most_layers_(most_layers),
       kept_(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_)),
+      most_layers_(most_bytes / kBytesOfLayer / kept_.size()),
       too_many_(kept_.size()),
       samples_(kept_.size())
 {
@@ -66,7 +66,8 @@ std::vector<Probe> Probes::results() const
         const auto columns = static_cast<std::size_t>(columns_);
         Probe probe{first_ + static_cast<int>(i % columns) * spacing_,
                     first_ + static_cast<int>(i / columns) * spacing_,
-                    {}};
+                    {},
+                    too_many_[i] != 0};
         std::vector<double> left(static_cast<std::size_t>(samples_[i]), 1);
         for (const Kept& one : kept) {
             double sum = 0;

@@ -22,13 +22,15 @@ struct ProbeStep {
 struct Probe {
     int x, y;
     std::vector<ProbeStep> steps;  // near to far
+    bool too_many = false;         // layers, so that none of them are here
 };
 
 // About `most` pixels of the picture at equal distances; the same at any number of threads.
 class Probes : public FragmentSink {
 public:
-    // Of a pixel of more fragments than `most_layers` none are kept.
-    Probes(int width, int height, int most, std::size_t most_layers = ~std::size_t{0});
+    // Keeps no layers of pixels that have too many of them for all to fit into so many bytes, each
+    // with kBytesOfLayer.
+    Probes(int width, int height, int most, std::uint64_t most_bytes = ~std::uint64_t{0});
 
     void take(const PixelRect& rect, const PixelRect& interior, const ChannelShape& shape,
               const FragmentStream& stream) override;
@@ -37,6 +39,12 @@ public:
     std::vector<Probe> results() const;
 
     int spacing() const { return spacing_; }
+    std::size_t most_layers() const { return most_layers_; }
+
+    // What a layer takes until it stands in a report: as one of PixelFragments and as a step, in
+    // vectors that grow and may be three times as large for a while; as eight numbers in JSON, and
+    // three times as text.
+    static constexpr std::uint64_t kBytesOfLayer = 1024;
 
 private:
     struct Kept {
@@ -47,8 +55,8 @@ private:
     };
 
     int spacing_, first_, columns_, rows_;
-    std::size_t most_layers_;
     std::vector<std::vector<Kept>> kept_;
+    std::size_t most_layers_;
     std::vector<char> too_many_;  // 1: of a pixel that had more
     std::vector<int> samples_;    // of a pixel
 };

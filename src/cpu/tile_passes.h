@@ -21,8 +21,8 @@ namespace sheer {
 
 // The stream and the store of a tile share the second-level cache: about 150 KB of fragments.
 inline constexpr int kStreamFragments = 4096;
-// For more than one pass, all of a tile's: 20 MB. That they leave the cache costs a tenth of what
-// rasterising them again does. A head of hair has 360,000 in its fullest tiles
+// For more than one pass, all of a tile's: 55 MB at most. That they leave the cache costs a tenth
+// of what rasterising them again does. A head of hair has 360,000 in its fullest tiles
 // (docs/performance.md).
 inline constexpr int kKeptFragments = 524288;
 

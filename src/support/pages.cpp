@@ -39,7 +39,8 @@ class PageMemory : public std::pmr::memory_resource {
 
 std::pmr::memory_resource& page_memory()
 {
-    static PageMemory memory;
+    // Never destroyed: stores may be.
+    static PageMemory& memory = *new PageMemory;
     return memory;
 }
 

@@ -18,7 +18,8 @@ namespace sheer::test {
 struct Outcome {
     int exit_code = -1;  // -1: ended by a signal
     std::string out, err;
-    std::uint64_t peak_memory = 0;  // bytes
+    // Bytes; at least what the test itself had, since it begins as a copy of it.
+    std::uint64_t peak_memory = 0;
 };
 
 // What is unusual about a run.
@@ -39,7 +40,12 @@ public:
         rusage usage{};
         wait4(child, &status, 0, &usage);
         Outcome outcome;
-        outcome.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * 1024;
+#ifdef __APPLE__
+        constexpr std::uint64_t kUnit = 1;
+#else
+        constexpr std::uint64_t kUnit = 1024;
+#endif
+        outcome.peak_memory = static_cast<std::uint64_t>(usage.ru_maxrss) * kUnit;
         if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
         outcome.out = text_of(logs_.file("out"));
         outcome.err = text_of(logs_.file("err"));
@@ -47,8 +53,14 @@ public:
     }
 
     // A path in the folder that the tool runs in, which starts empty.
-    std::string file(const std::string& name) const { return folder_.file(name); }
-    const TestFolder& folder() const { return folder_; }
+    std::string file(const std::string& name) const
+    {
+        return folder_.file(name);
+    }
+    const TestFolder& folder() const
+    {
+        return folder_;
+    }
 
 private:
     [[noreturn]] void become_tool(const std::vector<std::string>& arguments,

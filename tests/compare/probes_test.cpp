@@ -55,6 +55,26 @@ TEST(Probes, SeeEachLayerOnceNearToFar)
     }
 }
 
+// Two of a pixel's layers fit, three do not.
+TEST(Probes, KeepNoneOfTooManyLayers)
+{
+    for (const int layers : {1, 2, 3}) {
+        View view;
+        view.width = view.height = 12;
+        view.samples = 4;
+        const std::uint64_t most = 9 * 2 * Probes::kBytesOfLayer;
+        Probes probes(view.width, view.height, 9, most);
+        ASSERT_EQ(probes.results().size(), 9u);
+        const Take take{.method = choose_method("blend"), .keys = {frame_key(0, 0)}};
+        const Scene scene = load("builtin:layers?alpha=0.5&n=" + std::to_string(layers));
+        render_takes(scene, view, {}, {.takes = {&take, 1}, .sink = &probes});
+        for (const Probe& probe : probes.results()) {
+            EXPECT_EQ(probe.too_many, layers > 2);
+            EXPECT_EQ(probe.steps.size(), layers > 2 ? 0u : static_cast<std::size_t>(layers));
+        }
+    }
+}
+
 TEST(Probes, DoNotDependOnThreads)
 {
     const auto one = probes_of("builtin:quads", Filter::gaussian, 1);

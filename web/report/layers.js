@@ -25,10 +25,11 @@ function layerRow(step, index) {
 function drawLayers() {
   if (data.probes.length === 0) return;
   const probe = nearestProbe(viewer.x, viewer.y);
-  const [x, y, list] = data.probes[probe];
+  const [x, y, list, tooMany] = data.probes[probe];
   const steps = list.map(stepOf);
+  const none = tooMany ? 'more layers than the memory limit has room for' : 'nothing transparent';
   byId('probe-title').textContent = steps.length === 0 ?
-      `Pixel ${x}, ${y}, the nearest of a grid: nothing transparent.` :
+      `Pixel ${x}, ${y}, the nearest of a grid: ${none}.` :
       `Pixel ${x}, ${y}, the nearest of a grid: ${steps.length} transparent fragments let ` +
       `${(100 * steps.at(-1).behind).toPrecision(3)} % of the light behind them through.`;
   byId('layers').tBodies[0].replaceChildren(...steps.map(layerRow));
