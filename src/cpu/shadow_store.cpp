@@ -41,7 +41,8 @@ HWY_INLINE auto random_mask(ShadowMasks masks, Lanes<16>::whole seed, Lanes<16>:
 // Of all layers by the same random numbers, so that grey glass stays grey.
 template <int Samples>
 HWY_INLINE void make_masks(const ShadowTile& tile, const FragmentStream& f, std::size_t i,
-                           std::uint32_t primitive, std::size_t layer, MaskBlock& masks)
+                           std::size_t end, std::uint32_t primitive, std::size_t layer,
+                           MaskBlock& masks)
 {
     using Block = Lanes<16>;
     using Text = ShadowMaskText<Block>;
@@ -54,7 +55,10 @@ HWY_INLINE void make_masks(const ShadowTile& tile, const FragmentStream& f, std:
         const whole y = whole(tile.rect.y0) + (pixel >> 5);
         const whole identity = Text::identity_seed(whole(primitive), whole(tile.map.key));
         const whole seed = Text::fragment_seed(x, y, identity);
-        const auto opacity = opacity_of(f, layer, i + b, colored);
+        // What lies past the last may be any number.
+        const auto there = Block::iota() + whole(static_cast<std::uint32_t>(i + b)) <
+                           whole(static_cast<std::uint32_t>(end));
+        const auto opacity = Block::zero_unless(there, opacity_of(f, layer, i + b, colored));
         opacity.store(masks.opacity + b);
         const auto bits = random_mask<Samples>(tile.masks, seed, opacity);
         (bits.low & whole::load(f.samples.data() + i + b)).store(masks.low + b);
@@ -86,7 +90,7 @@ void insert_run(const ShadowTile& tile, const FragmentStream& f, const FragmentR
     for (std::size_t layer = 0; layer < tile.map.layers.size(); ++layer) {
         ShadowMap::Layer& kept = tile.map.layers[layer];
         for (std::size_t i = run.first; i < end; i += 16) {
-            make_masks<Samples>(tile, f, i, run.primitive, layer, masks);
+            make_masks<Samples>(tile, f, i, end, run.primitive, layer, masks);
             for (std::size_t k = 0; k < std::min<std::size_t>(16, end - i); ++k) {
                 const std::size_t at = texel_of(tile, f.pixel[i + k]);
                 if ((masks.low[k] | (Samples > 32 ? masks.high[k] : 0)) != 0) {

@@ -20,8 +20,7 @@ struct FragmentRun {
 };
 
 // Structure of arrays; kSlack values past `size` may be written to, and read, of which nothing may
-// come: pixels there are some of the tile's, opacities in [0, 1], samples none or some, the rest
-// anything.
+// come: pixels there are some of the tile's, samples none or some, the rest anything.
 struct FragmentStream {
     static constexpr int kSlack = 16;  // one vector
 
@@ -54,14 +53,13 @@ struct FragmentStream {
           pixel(most + kSlack),
           samples(most + kSlack),
           samples_high(most + kSlack),
-          opacity(most + kSlack),
           colored(with_colors),
           placed(with_places)
     {
         const auto make = [&](AlignedArray<float>& values) {
             values = AlignedArray<float>(static_cast<std::size_t>(most + kSlack), Unwritten{});
         };
-        for (AlignedArray<float>* values : {&depth, &red, &green, &blue}) make(*values);
+        for (AlignedArray<float>* values : {&depth, &red, &green, &blue, &opacity}) make(*values);
         for (AlignedArray<float>* through : {&through_red, &through_green, &through_blue}) {
             if (colored) make(*through);
         }
