@@ -10,8 +10,8 @@
 
 #include "cli/run_tool.h"
 #include "image/read_image.h"
-#include "support/text.h"
 #include "support/memory.h"
+#include "support/text.h"
 
 namespace sheer::test {
 

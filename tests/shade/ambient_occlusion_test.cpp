@@ -9,8 +9,8 @@
 #include <sheer/sheer.h>
 
 #include "methods/statistics.h"
-#include "shadows/sheets.h"
 #include "same_bits.h"
+#include "shadows/sheets.h"
 
 namespace sheer {
 namespace {

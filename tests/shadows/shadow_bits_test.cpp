@@ -8,8 +8,8 @@
 #include <sheer/error.h>
 #include <sheer/sheer.h>
 
-#include "shadows/sheets.h"
 #include "same_bits.h"
+#include "shadows/sheets.h"
 
 namespace sheer {
 

@@ -1,5 +1,5 @@
-// The texts of shaders/sheer/ as GLSL: on the same fragments they give the same bits as the stores,
-// and as the texts alone in C++, which stores are held to on every level of vector instructions.
+// The texts of shaders/sheer/ as GLSL: on the same fragments they give the same bits as the stores
+// on every level of vector instructions, and as the texts alone in C++.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "methods/make_lists.h"
 #include "methods/methods_with_texts.h"
 #include "methods/texts_alone.h"
+#include "simd_levels.h"
 #include "vulkan/compute_fixture.h"
 #include "vulkan/text_runner.h"
 
@@ -33,8 +34,11 @@ private:
         const auto alone = make_alone<Lone<float>>(lists, method);
         EXPECT_EQ(difference(words_of(alone.kept), there.kept), "") << what << ", text's store";
         EXPECT_EQ(difference(words_of(alone.colors), there.colors), "") << what << ", text";
-        const Words store = resolved_by_store(lists, method, targets_of(Simd::best));
-        EXPECT_EQ(difference(store, there.colors), "") << what << ", store";
+        for (const Simd level : simd_levels()) {
+            const TargetSet targets = targets_of(level);
+            EXPECT_EQ(difference(resolved_by_store(lists, method, targets), there.colors), "")
+                << what << ", " << name_of_targets(targets);
+        }
     }
 };
 
