@@ -7,10 +7,10 @@
 // Needs prelude.glsl, over.glsl.
 
 struct Layer {
-    real depth;    // of the nearest fragment in it; beyond any where there is none
-    whole id;      // of the same; below 2^31; breaks ties: the smaller is in front
-    real3 color;   // premultiplied
-    real opacity;  // of all fragments in it
+    depth_real depth;  // of the nearest fragment in it; beyond any where there is none
+    whole id;          // of the same; below 2^31; breaks ties: the smaller is in front
+    real3 color;       // premultiplied
+    real opacity;      // of all fragments in it
 };
 
 SHEER_FN Layer layer_clear(real beyond_any)
@@ -24,7 +24,7 @@ SHEER_FN Layer layer_clear(real beyond_any)
 }
 
 // Of a fragment; clear where it does not cover the sample.
-SHEER_FN Layer layer_of(mask covered, Layer clear, real depth, whole id, real3 straight_color,
+SHEER_FN Layer layer_of(mask covered, Layer clear, depth_real depth, whole id, real3 straight_color,
                         real opacity)
 {
     Layer f;

@@ -8,7 +8,8 @@
 
 #define real float
 #define real3 vec3
-#define whole uint  // wraps around; compared only below 2^31
+#define depth_real float  // what depths are compared in; the CPU has finer ones too
+#define whole uint        // wraps around; compared only below 2^31
 #define mask bool
 
 #define SHEER_FN

@@ -94,6 +94,8 @@ struct Lanes {
         friend HWY_ATTR HWY_INLINE mask operator==(real a, real b) { return {hn::Eq(a.v, b.v)}; }
     };
 
+    using depth_real = real;
+
     struct whole {
         hn::Vec<I> v;
         whole() = default;

@@ -13,6 +13,7 @@ namespace sheer {
 template <class T>
 struct Lone {
     using real = T;
+    using depth_real = real;
     using whole = std::uint32_t;
     using mask = bool;
 

@@ -11,6 +11,7 @@
 // L is Lanes<S> (lanes-inl.h), or Lone<T> (lone.h) for one plain number.
 
 using real = typename L::real;
+using depth_real = typename L::depth_real;
 using whole = typename L::whole;
 using mask = typename L::mask;
 
@@ -44,6 +45,12 @@ SHEER_FN real3 select(mask m, real3 a, real3 b)
 SHEER_FN whole select(mask m, whole a, whole b)
 {
     return L::select(m, a, b);
+}
+// Of a depth_real that is no real.
+template <class Depth>
+SHEER_FN Depth select(mask m, const Depth& a, const Depth& b)
+{
+    return Depth::select(m, a, b);
 }
 SHEER_FN whole zero_unless(mask m, whole a)
 {

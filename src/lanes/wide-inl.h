@@ -38,7 +38,8 @@ struct WideLanes {
         static HWY_INLINE real load(const double* p) { return hn::LoadU(D(), p); }
         HWY_INLINE void store(double* p) const { hn::StoreU(v, D(), p); }
         // Rounded to floats.
-        HWY_INLINE void store(float* p) const { hn::StoreU(hn::DemoteTo(Float(), v), Float(), p); }
+        HWY_INLINE hn::Vec<Float> narrowed() const { return hn::DemoteTo(Float(), v); }
+        HWY_INLINE void store(float* p) const { hn::StoreU(narrowed(), Float(), p); }
         friend HWY_ATTR HWY_INLINE real operator+(real a, real b) { return hn::Add(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator-(real a, real b) { return hn::Sub(a.v, b.v); }
         friend HWY_ATTR HWY_INLINE real operator*(real a, real b) { return hn::Mul(a.v, b.v); }
@@ -46,6 +47,8 @@ struct WideLanes {
         friend HWY_ATTR HWY_INLINE mask operator<(real a, real b) { return {hn::Lt(a.v, b.v)}; }
         friend HWY_ATTR HWY_INLINE mask operator>(real a, real b) { return {hn::Gt(a.v, b.v)}; }
     };
+
+    using depth_real = real;
 
     // Of 64 bits.
     struct whole {

@@ -1,5 +1,5 @@
 // Bucket depth peeling: shaders/sheer/bucket_peeling.glsl at every sample. 8 bytes a sample for the
-// range and 24 for each bucket, twice as many with further peels; adaptive ones need 128 for the
+// range and 28 for each bucket, twice as many with further peels; adaptive ones need 128 for the
 // bins and 132 for counting them.
 #include "methods/method.h"
 
@@ -12,6 +12,7 @@
 #include <hwy/foreach_target.h>
 
 #include "methods/layers-inl.h"
+#include "methods/precise_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -43,7 +44,7 @@ HWY_INLINE void for_each_number(typename L::mask lanes, typename L::whole number
 template <int S>
 class BucketPeelingTile {
     using L = Lanes<S>;
-    using Text = BucketPeelingText<L>;
+    using Text = BucketPeelingText<PreciseLanes<S>>;
     using Layer = typename Text::Layer;
     using Peel = typename Text::DepthPeel;
     using Range = typename Text::BucketRange;
@@ -78,16 +79,19 @@ public:
     void insert(const FragmentStream& f, int pass)
     {
         if (pass != pass_) begin(pass);
-        for_each_layer<S, Text>(f, set_,
-                                [&](std::size_t pixel, std::size_t s, const Layer& layer) HWY_ATTR {
-                                    if (pass == 0) {
-                                        widen(layer, pixel, s);
-                                    } else if (pass < first_peel()) {
-                                        mark(layer, pixel, s);
-                                    } else {
-                                        peel(layer, pixel, s);
-                                    }
-                                });
+        // Buckets are those of precise depths, too: what lies in the nearer one is nearer.
+        const auto wanted = [&](std::size_t pixel, std::size_t s, const RoughLayer<L>& layer)
+                                HWY_ATTR { return pass == 0 ? widens(layer, pixel, s) : true; };
+        for_each_precise_layer<S, Text>(
+            f, set_, wanted, [&](std::size_t pixel, std::size_t s, const Layer& layer) HWY_ATTR {
+                if (pass == 0) {
+                    widen(layer, pixel, s);
+                } else if (pass < first_peel()) {
+                    mark(layer, pixel, s);
+                } else {
+                    peel(layer, pixel, s);
+                }
+            });
     }
 
     // After the same pass.
@@ -140,12 +144,12 @@ public:
 
 private:
     static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
-    static HWY_INLINE mask covers(const Layer& layer) { return layer.depth < beyond_any(); }
+    static HWY_INLINE mask covers(const Layer& layer) { return layer.depth.upper < beyond_any(); }
 
     std::size_t count() const { return sample_count<S>(set_.count); }
     std::size_t layers_size() const
     {
-        return kTilePixels * static_cast<std::size_t>(buckets_) * kLayerChannels * count();
+        return kTilePixels * static_cast<std::size_t>(buckets_) * kLayerChannels<Text> * count();
     }
     int first_peel() const { return adaptive_ ? 2 : 1; }
 
@@ -154,7 +158,8 @@ private:
     std::size_t index(std::size_t row, std::size_t s) const { return row * count() + s; }
     std::size_t layer_index(std::size_t pixel, std::size_t bucket, std::size_t s) const
     {
-        return index((pixel * static_cast<std::size_t>(buckets_) + bucket) * kLayerChannels, s);
+        return index((pixel * static_cast<std::size_t>(buckets_) + bucket) * kLayerChannels<Text>,
+                     s);
     }
     HWY_INLINE Range load_range(std::size_t pixel, std::size_t s) const
     {
@@ -224,16 +229,24 @@ private:
         found_ = false;
     }
 
+    HWY_INLINE bool widens(const RoughLayer<L>& layer, std::size_t pixel, std::size_t s) const
+    {
+        if (!seen_[pixel]) return true;
+        const Range range = load_range(pixel, s);
+        return (layer.covered &
+                ((layer.nearest < range.nearest) | (layer.farthest > range.farthest)))
+            .any();
+    }
     HWY_INLINE void widen(const Layer& layer, std::size_t pixel, std::size_t s)
     {
         see(pixel);
         const Range range = load_range(pixel, s);
-        save_range(Text::bucket_range_insert(range, covers(layer), layer.depth), pixel, s);
+        save_range(Text::bucket_range_insert(range, covers(layer), layer.depth.upper), pixel, s);
     }
 
     HWY_INLINE whole place(const Layer& layer, std::size_t pixel, std::size_t s, int parts) const
     {
-        return Text::bucket_place(load_range(pixel, s), covers(layer), layer.depth, parts);
+        return Text::bucket_place(load_range(pixel, s), covers(layer), layer.depth.upper, parts);
     }
 
     HWY_INLINE void mark(const Layer& layer, std::size_t pixel, std::size_t s)

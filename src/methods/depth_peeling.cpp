@@ -1,4 +1,4 @@
-// Depth peeling: shaders/sheer/depth_peeling.glsl at every sample. 48 bytes a sample.
+// Depth peeling: shaders/sheer/depth_peeling.glsl at every sample. 56 bytes a sample.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -25,12 +25,13 @@ struct DepthPeelingText {
 template <int S>
 struct DepthPeelingMethod {
     using L = Lanes<S>;
-    using Text = DepthPeelingText<L>;
+    using Text = DepthPeelingText<PreciseLanes<S>>;
     using Store = typename Text::DepthPeel;
     using Layer = typename Text::Layer;
     using real3 = typename Text::real3;
     using real = typename L::real;
-    static constexpr int kChannels = 2 * kLayerChannels;
+    using mask = typename L::mask;
+    static constexpr int kChannels = 2 * kLayerChannels<Text>;
 
     static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
     static HWY_INLINE Store clear() { return Text::depth_peeling_clear(beyond_any()); }
@@ -42,6 +43,12 @@ struct DepthPeelingMethod {
     static HWY_INLINE Store merge(Store a, Store b)
     {
         return Text::depth_peeling_insert(a, b.nearest);
+    }
+    static HWY_INLINE bool wants(const RoughLayer<L>& f, const float* at, std::size_t samples)
+    {
+        const real front = real::load(at), nearest = real::load(at + kNearest * samples);
+        const mask known = f.is(front, load_layer_id<Text>(at, samples));
+        return (f.covered & !known & f.may_be_behind(front) & f.may_be_before(nearest)).any();
     }
     static HWY_INLINE bool insert(const Layer& f, float* at, std::size_t samples)
     {
@@ -68,7 +75,7 @@ struct DepthPeelingMethod {
     }
 
 private:
-    static constexpr std::size_t kNearest = kLayerChannels;
+    static constexpr std::size_t kNearest = kLayerChannels<Text>;
 };
 
 template <int S>

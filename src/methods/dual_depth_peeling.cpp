@@ -1,4 +1,4 @@
-// Dual depth peeling: shaders/sheer/dual_depth_peeling.glsl at every sample. 96 bytes a sample.
+// Dual depth peeling: shaders/sheer/dual_depth_peeling.glsl at every sample. 112 bytes a sample.
 #include "methods/method.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -25,12 +25,13 @@ struct DualPeelingText {
 template <int S>
 struct DualPeelingMethod {
     using L = Lanes<S>;
-    using Text = DualPeelingText<L>;
+    using Text = DualPeelingText<PreciseLanes<S>>;
     using Store = typename Text::DualPeel;
     using Layer = typename Text::Layer;
     using real3 = typename Text::real3;
     using real = typename L::real;
-    static constexpr int kChannels = 4 * kLayerChannels;
+    using mask = typename L::mask;
+    static constexpr int kChannels = 4 * kLayerChannels<Text>;
 
     static HWY_INLINE real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
     static HWY_INLINE Store clear() { return Text::dual_peeling_clear(beyond_any()); }
@@ -42,6 +43,17 @@ struct DualPeelingMethod {
     static HWY_INLINE Store merge(Store a, Store b)
     {
         return Text::dual_peeling_insert(Text::dual_peeling_insert(a, b.nearest), b.farthest);
+    }
+    static HWY_INLINE bool wants(const RoughLayer<L>& f, const float* at, std::size_t samples)
+    {
+        const float* const at_back = at + kBack * samples;
+        const real front = real::load(at), back = real::load(at_back);
+        const mask known = f.is(front, load_layer_id<Text>(at, samples)) |
+                           f.is(back, load_layer_id<Text>(at_back, samples));
+        const mask new_end = f.may_be_before(real::load(at + kNearest * samples)) |
+                             f.may_be_behind(real::load(at + kFarthest * samples));
+        return (f.covered & !known & f.may_be_behind(front) & f.may_be_before(back) & new_end)
+            .any();
     }
     static HWY_INLINE bool insert(const Layer& f, float* at, std::size_t samples)
     {
@@ -78,8 +90,8 @@ struct DualPeelingMethod {
     }
 
 private:
-    static constexpr std::size_t kBack = kLayerChannels, kNearest = 2 * kLayerChannels,
-                                 kFarthest = 3 * kLayerChannels;
+    static constexpr std::size_t kBack = kLayerChannels<Text>, kNearest = 2 * kBack,
+                                 kFarthest = 3 * kBack;
 };
 
 template <int S>

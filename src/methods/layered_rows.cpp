@@ -16,6 +16,7 @@ StoreVerbs dual_depth_peeling_verbs(TargetSet targets, const ChosenMethod& metho
 namespace {
 
 constexpr int kLayerBytes = 24;
+constexpr int kPreciseLayerBytes = 28;
 constexpr Parameter kLayers = {"layers", "1..32", "4", "kept at each sample, near to far"};
 
 // With the number of layers that there are in a pixel.
@@ -97,7 +98,7 @@ MethodTraits peeling_traits(const ChosenMethod& method, int layers)
     MethodTraits traits;
     traits.passes = method.number("peels");
     traits.pass_names = {"peel"};
-    traits.bytes_per_sample = 2 * layers * kLayerBytes;
+    traits.bytes_per_sample = 2 * layers * kPreciseLayerBytes;
     traits.any_order = Agreement::bits;
     traits.merge = Agreement::bits;
     traits.bias = Bias::consistent;
@@ -126,7 +127,8 @@ MethodTraits bucket_traits(const ChosenMethod& method)
     if (adaptive) traits.pass_names.push_back("bins");
     traits.named_once = traits.passes - peels;
     traits.pass_names.push_back("peel");
-    traits.bytes_per_sample = (peels > 1 ? 2 : 1) * kLayerBytes * method.number("buckets") + 8;
+    traits.bytes_per_sample =
+        (peels > 1 ? 2 : 1) * kPreciseLayerBytes * method.number("buckets") + 8;
     traits.bytes_besides = 5;
     if (adaptive) traits.bytes_per_sample += 128 + 132;
     traits.any_order = Agreement::bits;

@@ -9,8 +9,7 @@
 
 #include <limits>
 
-#include "methods/samples-inl.h"
-#include "raster/sample_depth-inl.h"
+#include "methods/sample_depths-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -23,49 +22,59 @@ HWY_INLINE void for_each_layer(const FragmentStream& f, const SampleSet& set, Vi
     using L = Lanes<S>;
     using real = typename L::real;
     using whole = typename L::whole;
-    constexpr std::size_t kMostBlocks = (S < 16 ? S : kMaxSamples) / L::kCount;
-    const std::size_t samples = sample_count<S>(set.count);
     const auto clear = Text::layer_clear(real(std::numeric_limits<float>::infinity()));
-    for (int r = 0; r < f.run_count; ++r) {
-        const FragmentRun& run = f.runs[r];
-        const DepthPlane plane = run.depth;  // a copy, which what is stored cannot alias
-        const whole id(run.primitive);
-        real offsets[kMostBlocks];
-        for (std::size_t s = 0; s < samples; s += L::kCount) {
-            offsets[s / L::kCount] = sample_depth_offset<L>(plane, set, s);
-        }
-        for (std::size_t i = run.first; i < run.first + run.count; ++i) {
-            const std::size_t pixel = f.pixel[i];
-            for (std::size_t s = 0; s < samples; s += L::kCount) {
-                const real depth = sample_depth<L>(plane, offsets[s / L::kCount], f.depth[i]);
-                visit(pixel, s,
-                      Text::layer_of(sample_mask<L>(f, i, s), clear, depth, id,
+    for_each_sample_depth<S>(
+        f, set,
+        [&](const DepthPlane&, std::uint32_t primitive, std::size_t i, std::size_t s, real depth)
+            HWY_ATTR {
+                visit(f.pixel[i], s,
+                      Text::layer_of(sample_mask<L>(f, i, s), clear, depth, whole(primitive),
                                      color_of<Text>(f, i), real(f.opacity[i])));
-            }
-        }
-    }
+            });
 }
 
-// How a layer lies in memory.
+// How a layer lies in memory: a precise depth is two floats, any other one.
+template <class Text>
+inline constexpr std::size_t kDepthChannels = sizeof(typename Text::depth_real) /
+                                              sizeof(typename Text::real);
+template <class Text>
+inline constexpr std::size_t kLayerChannels = kDepthChannels<Text> + 5;
+
+template <class Text>
+HWY_INLINE typename Text::whole load_layer_id(const float* at, std::size_t samples)
+{
+    return Text::whole::bits_of(Text::real::load(at + kDepthChannels<Text> * samples));
+}
 template <class Text>
 HWY_INLINE typename Text::Layer load_layer(const float* at, std::size_t samples)
 {
+    using real = typename Text::real;
     typename Text::Layer l;
-    l.depth = Text::real::load(at);
-    l.id = Text::whole::bits_of(Text::real::load(at + samples));
-    l.color = load_color<Text>(at + 2 * samples, samples);
-    l.opacity = Text::real::load(at + 5 * samples);
+    if constexpr (kDepthChannels<Text> == 1) {
+        l.depth = real::load(at);
+    } else {
+        l.depth = {real::load(at), real::load(at + samples)};
+    }
+    l.id = load_layer_id<Text>(at, samples);
+    at += kDepthChannels<Text> * samples;
+    l.color = load_color<Text>(at + samples, samples);
+    l.opacity = real::load(at + 4 * samples);
     return l;
 }
 template <class Text>
 HWY_INLINE void save_layer(const typename Text::Layer& l, float* at, std::size_t samples)
 {
-    l.depth.store(at);
-    l.id.as_real().store(at + samples);
-    save_color<Text>(l.color, at + 2 * samples, samples);
-    l.opacity.store(at + 5 * samples);
+    if constexpr (kDepthChannels<Text> == 1) {
+        l.depth.store(at);
+    } else {
+        l.depth.upper.store(at);
+        l.depth.lower.store(at + samples);
+    }
+    at += kDepthChannels<Text> * samples;
+    l.id.as_real().store(at);
+    save_color<Text>(l.color, at + samples, samples);
+    l.opacity.store(at + 4 * samples);
 }
-inline constexpr std::size_t kLayerChannels = 6;
 
 // TextOf<L> has the words of layers.glsl. Layers come near to far; a pixel's first layers(pixel)
 // have been written to, the others are clear.
@@ -83,7 +92,7 @@ public:
     LayerStore(const StoreShape& shape, int most)
         : set_(*shape.samples),
           most_(static_cast<std::size_t>(most)),
-          values_(kTilePixels * most_ * kLayerChannels * count())
+          values_(kTilePixels * most_ * kLayerChannels<Text> * count())
     {
     }
 
@@ -153,7 +162,7 @@ private:
     // Layer by layer: most fragments touch the last of their pixel alone.
     std::size_t index(std::size_t pixel, std::size_t layer) const
     {
-        return (layer * kTilePixels + pixel) * kLayerChannels * count();
+        return (layer * kTilePixels + pixel) * kLayerChannels<Text> * count();
     }
     HWY_INLINE void added(std::size_t pixel) { layers_[pixel] += layers_[pixel] < most_ ? 1 : 0; }
 

@@ -8,11 +8,13 @@
 #endif
 
 #include "methods/layers-inl.h"
+#include "methods/precise_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 // Method: what SampleStore wants, and
+//   wants(covered, id, nearest, farthest, at, samples): whether it may take such a layer,
 //   insert(layer, at, samples): whether it took the layer at any of the samples,
 //   begin(peel): what a pass begins with.
 template <int S, class Method>
@@ -37,11 +39,15 @@ struct PeelingTile : SampleStore<S, Method> {
     {
         if (number != pass) begin(number);
         bool any = false;
-        for_each_layer<S, Text>(
-            f, set, [&](std::size_t pixel, std::size_t s, const auto& layer) HWY_ATTR {
-                float* at = this->values() + Method::kChannels * pixel * this->count() + s;
-                any |= Method::insert(layer, at, this->count());
-            });
+        const auto place = [&](std::size_t pixel, std::size_t s) HWY_ATTR {
+            return this->values() + Method::kChannels * pixel * this->count() + s;
+        };
+        for_each_precise_layer<S, Text>(
+            f, set,
+            [&](std::size_t pixel, std::size_t s, const auto& rough)
+                HWY_ATTR { return Method::wants(rough, place(pixel, s), this->count()); },
+            [&](std::size_t pixel, std::size_t s, const auto& layer)
+                HWY_ATTR { any |= Method::insert(layer, place(pixel, s), this->count()); });
         found |= any;
     }
     void begin(int number)

@@ -182,6 +182,7 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     const std::string id = setting.method.row->id;
     const Rgba behind = backdrop_at(setting, backdrop, place);
     const Fragments fragments = fragments_at(plates, *setting.set, place.used, place.s);
+    const Fragments in_floats = fragments_in_floats(setting, plates, place);
     if (id == "none") return behind;
     if (id == "blend" || id == "sorted-blend") return reference::blend(fragments, behind);
     if (id == "exact") return reference::composite(fragments, behind);
@@ -193,15 +194,14 @@ Rgba answer(const Setting& setting, const Plates& plates, const Colors& backdrop
     }
     if (is_alpha_test(setting.method)) return alpha_test_answer(setting, plates, behind, place);
     if (has_continuum_answer(id)) {
-        return continuum_answer(setting.method, fragments_in_floats(setting, plates, place),
+        return continuum_answer(setting.method, id.ends_with("-peeling") ? fragments : in_floats,
                                 behind);
     }
     if (test::approximates_transmittance(setting.method)) {
         return answer_of_transmittance(setting, plates, behind, place);
     }
     if (id == "slab") {
-        return test::endless_slab_answer(slab_settings(setting.method),
-                                         fragments_in_floats(setting, plates, place), behind);
+        return test::endless_slab_answer(slab_settings(setting.method), in_floats, behind);
     }
     ADD_FAILURE() << "there is no oracle for the method '" << id << "'";
     return behind;

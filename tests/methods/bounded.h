@@ -80,6 +80,7 @@ struct Bounded {
 // For the texts, as Lone is.
 struct LoneBounded {
     using real = Bounded;
+    using depth_real = real;
     using whole = std::uint32_t;
     using mask = bool;
 

@@ -36,9 +36,9 @@ inline reference::HybridTail tail_of(const std::string& name)
     return name == "none" ? reference::HybridTail::none : reference::HybridTail::scaled;
 }
 
-// Whether a place among `parts` of the range, of which one rounding of the difference, one of the
-// range, one of their quotient and one of the product leave 2^-22 of `parts`, may be beyond a
-// border. The ends of the range are none.
+// Whether a place among `parts` of the range may be beyond a border: depths are rounded to floats,
+// 2^-24 of the largest each, and one rounding of the difference, one of the range, one of their
+// quotient and one of the product leave 2^-22 of `parts`. The ends of the range are none.
 inline bool may_cross_border(std::span<const Fragment> fragments, int parts)
 {
     if (fragments.empty()) return false;
@@ -46,10 +46,13 @@ inline bool may_cross_border(std::span<const Fragment> fragments, int parts)
         std::minmax_element(fragments.begin(), fragments.end(),
                             [](const auto& a, const auto& b) { return a.depth < b.depth; });
     const double nearest = least->depth, range = most->depth - nearest;
+    const double largest = std::max(std::abs(nearest), std::abs(most->depth));
+    // Of the depth, and of both ends of the range.
+    const double rounding = 0x1p-22 + 3 * 0x1p-24 * largest / range;
     return std::any_of(fragments.begin(), fragments.end(), [&](const Fragment& f) {
         const double at = (f.depth - nearest) / range * parts;
         const double border = std::round(at);
-        return border > 0 && border < parts && std::abs(at - border) < parts * 0x1p-22;
+        return border > 0 && border < parts && std::abs(at - border) < parts * rounding;
     });
 }
 
@@ -87,7 +90,7 @@ inline Rgba deep_shadow_answer(const ChosenMethod& method, std::span<const Fragm
     return color;
 }
 
-// Of one sample; fragments' depths are floats.
+// Of one sample; fragments' depths are floats, but for those that peel.
 inline Rgba continuum_answer(const ChosenMethod& method, std::span<const Fragment> fragments,
                              Rgba behind)
 {

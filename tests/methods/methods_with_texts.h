@@ -135,4 +135,10 @@ inline bool is_variant_of_long(const std::string& method)
     return is_of_floats_only(method) && method.find(':') != std::string::npos;
 }
 
+// Whose stores know the order of depth where the floats of a text alone do not.
+inline bool has_precise_depths(const std::string& method)
+{
+    return method.find("peeling") != std::string::npos;
+}
+
 }  // namespace sheer::test

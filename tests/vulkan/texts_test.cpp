@@ -51,31 +51,18 @@ TEST_F(TextVulkanBits, OnRealAndRandomTiles)
         std::vector<FragmentLists> tiles = random_lists(samples);
         tiles.push_back(lists_of_fullest_tile(motor, "motor", samples));
         tiles.push_back(lists_of_fullest_tile(table, "tea table", samples));
-        expect_same_bits(tiles, {"blend",
-                                 "exact",
-                                 "weighted-average",
-                                 "wboit",
-                                 "stochastic",
-                                 "stratified-stochastic",
-                                 "slab",
-                                 "mlab",
-                                 "mlcb",
-                                 "z3",
-                                 "k-buffer",
-                                 "hybrid",
-                                 "adaptive",
-                                 "depth-peeling",
-                                 "dual-depth-peeling",
-                                 "bucket-peeling",
-                                 "phenomenological",
-                                 "deep-shadow-map",
-                                 "bucket-peeling:buckets=8:borders=adaptive:peels=2",
-                                 "alpha-test-then-blend",
-                                 "hashed-alpha-test",
-                                 "hashed-alpha-to-coverage"});
+        expect_same_bits(
+            tiles, {"blend", "exact", "weighted-average", "wboit", "stochastic",
+                    "stratified-stochastic", "slab", "mlab", "mlcb", "z3", "k-buffer", "hybrid",
+                    "adaptive", "phenomenological", "deep-shadow-map", "alpha-test-then-blend",
+                    "hashed-alpha-test", "hashed-alpha-to-coverage"});
         // Long texts, whose samples have nothing to do with one another.
-        if (samples > 4) continue;
-        expect_same_bits(tiles, {"moment", "mboit", "fourier", "wavelet"});
+        if (samples <= 4) expect_same_bits(tiles, {"moment", "mboit", "fourier", "wavelet"});
+        for (std::size_t t = tiles.size() - 2; t < tiles.size(); ++t) {
+            tiles[t] = with_exact_depths(std::move(tiles[t]));
+        }
+        expect_same_bits(tiles, {"depth-peeling", "dual-depth-peeling", "bucket-peeling",
+                                 "bucket-peeling:buckets=8:borders=adaptive:peels=2"});
     }
 }
 
