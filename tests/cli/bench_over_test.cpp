@@ -5,14 +5,12 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
-
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 Words bench_words(const Words& added)
@@ -57,7 +55,7 @@ void expect_scaling(const Case& one)
     SCOPED_TRACE(testing::PrintToString(one.words));
     Words words = one.words;
     words.emplace_back("--json");
-    const Json json = Json::parse(output_of(words));
+    const Json json = parse_json(output_of(words));
     EXPECT_EQ(json.at("results").size(), 2 * one.values.size());
     const Json& scaling = json.at("scaling");
     EXPECT_EQ(scaling.at("over"), one.over);
@@ -75,7 +73,7 @@ TEST(BenchOver, JsonHoldsWhatGrewAndHow)
     const auto fragments = [](const Words& words) {
         Words all = words;
         all.emplace_back("--json");
-        return Json::parse(output_of(all)).at("results").at(0).at("fragments").get<double>();
+        return parse_json(output_of(all)).at("results").at(0).at("fragments").get<double>();
     };
     const double f = fragments({"--size", "16x12"});
     EXPECT_GE(f, 3 * 16 * 12);
@@ -103,19 +101,19 @@ TEST(BenchOver, JsonHoldsWhatGrewAndHow)
 TEST(BenchOver, RowsAreOfTheSettings)
 {
     const Json json =
-        Json::parse(output_of({"--over", "threads=1,3", "--size", "200x150", "--json"}));
+        parse_json(output_of({"--over", "threads=1,3", "--size", "200x150", "--json"}));
     for (std::size_t i = 0; i < 4; ++i) {
         const Json& row = json.at("results").at(i);
         EXPECT_EQ(row.at("threads"), i < 2 ? 1 : 3);
         EXPECT_EQ(row.at("method"), i % 2 == 0 ? "blend" : "exact");
         EXPECT_EQ(row.at("width"), 200);
     }
-    EXPECT_FALSE(Json::parse(output_of({"--size", "9x7", "--json"})).contains("scaling"));
+    EXPECT_FALSE(parse_json(output_of({"--size", "9x7", "--json"})).contains("scaling"));
 }
 
 TEST(BenchOver, SizesEndInTheGivenOne)
 {
-    const Json json = Json::parse(output_of({"--over", "size", "--size", "40x20", "--json"}));
+    const Json json = parse_json(output_of({"--over", "size", "--size", "40x20", "--json"}));
     EXPECT_EQ(json.at("scaling").at("values"), (Json{"10x5", "20x10", "40x20"}));
 }
 

@@ -5,17 +5,15 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
 #include "lanes/targets.h"
 #include "methods/method.h"
 #include "scene/builtin.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
-
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 // Standard output of a run that must go well.
@@ -29,7 +27,7 @@ std::string output_of(const Tool& tool, const Words& arguments)
 
 Json json_of(const Tool& tool, const Words& arguments)
 {
-    return Json::parse(output_of(tool, arguments));
+    return parse_json(output_of(tool, arguments));
 }
 
 void expect_keys(const Json& json, const std::vector<const char*>& keys)
@@ -165,7 +163,7 @@ TEST(ToolOutput, RenderGivesStatisticsAsJson)
     EXPECT_EQ(printed.at("simd"), "scalar");
     EXPECT_EQ(printed.at("samples"), 8);
     printed.erase("image");
-    EXPECT_EQ(Json::parse(text_of(tool.file("a.json"))), printed);
+    EXPECT_EQ(parse_json(text_of(tool.file("a.json"))), printed);
     EXPECT_EQ(tool.folder().entries(), 2);
 }
 

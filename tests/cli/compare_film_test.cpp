@@ -5,14 +5,12 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
-
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 class CompareFilmTest : public testing::Test {
@@ -23,7 +21,7 @@ protected:
         words.insert(words.begin() + 1, added.begin(), added.end());
         const Outcome outcome = tool_.run(words);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return Json::parse(text_of(tool_.file("out/metrics.json"))).at("results");
+        return parse_json(text_of(tool_.file("out/metrics.json"))).at("results");
     }
 
     Tool tool_;

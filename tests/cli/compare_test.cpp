@@ -6,10 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/run_tool.h"
 #include "image/read_image.h"
+#include "support/json.h"
 #include "support/memory.h"
 #include "support/text.h"
 
@@ -17,12 +16,9 @@ namespace sheer::test {
 
 namespace {
 
-using Json = nlohmann::json;
-
 Json json_file(const std::string& path)
 {
-    std::ifstream file(path);
-    return Json::parse(file);
+    return parse_json(text_of(path));
 }
 
 const Json& row_of(const Json& metrics, const std::string& method, int samples)
@@ -103,8 +99,8 @@ TEST(CliCompare, AgreesWithRenderAndDiff)
     const Outcome diff =
         tool.run({"diff", "out/weighted-average.s8.exr", "out/truth.exr", "--json"});
     ASSERT_EQ(diff.exit_code, 0) << diff.err;
-    EXPECT_DOUBLE_EQ(Json::parse(diff.out)["rmse"].get<double>(), row["rmse"].get<double>());
-    EXPECT_DOUBLE_EQ(Json::parse(diff.out)["psnr"].get<double>(), row["psnr"].get<double>());
+    EXPECT_DOUBLE_EQ(parse_json(diff.out)["rmse"].get<double>(), row["rmse"].get<double>());
+    EXPECT_DOUBLE_EQ(parse_json(diff.out)["psnr"].get<double>(), row["psnr"].get<double>());
     ASSERT_EQ(tool.run({"render", "builtin:quads", "--size", "40x30", "--method", "stochastic",
                         "--seed", "5", "-o", "alone.exr"})
                   .exit_code,
@@ -116,8 +112,8 @@ TEST(CliCompare, AgreesWithRenderAndDiff)
         const Outcome seen =
             tool.run({"diff", "out/" + std::string(method) + ".s8.exr", "out/truth.exr", "--json"});
         const Json& scores = row_of(metrics, method, 8);
-        EXPECT_EQ(Json::parse(seen.out)["flip"], scores["flip"]);
-        EXPECT_EQ(Json::parse(seen.out)["ssim"], scores["ssim"]);
+        EXPECT_EQ(parse_json(seen.out)["flip"], scores["flip"]);
+        EXPECT_EQ(parse_json(seen.out)["ssim"], scores["ssim"]);
     }
     EXPECT_TRUE(row_of(metrics, "stochastic", 8)["noise"].is_null());
     EXPECT_TRUE(row_of(metrics, "stochastic", 8)["bias"].is_null());
@@ -138,12 +134,12 @@ TEST(CliCompare, TakesTheUsualMethodsOrAll)
         const Outcome outcome = tool.run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
         std::vector<std::string> methods;
-        const Json metrics = Json::parse(outcome.out);
+        const Json metrics = parse_json(outcome.out);
         for (const Json& row : metrics["results"]) methods.push_back(row["method"]);
         return methods;
     };
     std::vector<std::string> all;
-    const Json table = Json::parse(tool.run({"methods", "--json"}).out);
+    const Json table = parse_json(tool.run({"methods", "--json"}).out);
     for (const Json& row : table["methods"]) {
         if (!row["bench_only"]) all.push_back(row["id"]);
     }
@@ -292,9 +288,9 @@ TEST(CliRender, KeepsItsMemoryLimit)
         if (limit != nullptr) arguments.insert(arguments.end(), {"--memory-limit", limit});
         const Outcome outcome = tool.run(arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-        return Json::parse(outcome.out)["peak_memory_bytes"].get<std::uint64_t>();
+        return parse_json(outcome.out)["peak_memory_bytes"].get<std::uint64_t>();
     };
-    const Json methods = Json::parse(tool.run({"methods", "--json"}).out);
+    const Json methods = parse_json(tool.run({"methods", "--json"}).out);
     for (const Json& row : methods["methods"]) {
         if (row["bench_only"]) continue;
         const std::string method = row["id"];

@@ -8,20 +8,18 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
 #include "compare/slow_metrics.h"
 #include "image/color.h"
 #include "image/read_image.h"
 #include "image/write_image.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 Image grey(int width, int height, float value, float alpha = 1)
@@ -101,7 +99,7 @@ TEST_F(Diff, TellsPrograms)
     Image other = grey(4, 2, 0.5f);
     other.at(3, 1)[2] = 0.25f;
     write_image(tool_.file("other.exr"), other);
-    const Json json = Json::parse(output_of({"diff", "other.exr", "a.exr", "--json"}));
+    const Json json = parse_json(output_of({"diff", "other.exr", "a.exr", "--json"}));
     EXPECT_EQ(json.at("a"), "other.exr");
     EXPECT_EQ(json.at("b"), "a.exr");
     EXPECT_EQ(json.at("width"), 4);
@@ -118,20 +116,20 @@ TEST_F(Diff, TellsPrograms)
 
 TEST_F(Diff, TellsProgramsOfEqualPictures)
 {
-    const Json same = Json::parse(output_of({"diff", "a.exr", "a.exr", "--json"}));
+    const Json same = parse_json(output_of({"diff", "a.exr", "a.exr", "--json"}));
     EXPECT_EQ(same.at("rmse"), 0);
     EXPECT_TRUE(same.at("psnr").is_null());
     EXPECT_TRUE(same.at("ssim").is_null());
     EXPECT_EQ(same.at("flip"), 0);
     EXPECT_EQ(same.at("identical"), true);
-    const Json alpha = Json::parse(output_of({"diff", "a.exr", "c.exr", "--json"}));
+    const Json alpha = parse_json(output_of({"diff", "a.exr", "c.exr", "--json"}));
     EXPECT_EQ(alpha.at("rmse"), 0);
     EXPECT_EQ(alpha.at("identical"), false);
 }
 
 TEST_F(Diff, DrawsErrorMaps)
 {
-    const Json json = Json::parse(output_of({"diff", "b.exr", "a.exr", "--json", "-o", "map.png"}));
+    const Json json = parse_json(output_of({"diff", "b.exr", "a.exr", "--json", "-o", "map.png"}));
     EXPECT_EQ(json.at("error_map"), Json({{"image", "map.png"}, {"scale", 50.0}}));
     const Image map = read_image(tool_.file("map.png"));
     EXPECT_EQ(map.width, 4);
@@ -192,7 +190,7 @@ TEST_F(Diff, NamesThePixelThatIsNotFinite)
         expect_refused({"diff", "bad.exr", "a.exr"}, line);
         expect_refused({"diff", "a.exr", "bad.exr", "-o", "map.png"}, line);
         // What is the same in both is no difference.
-        const Json json = Json::parse(output_of({"diff", "bad.exr", "bad.exr", "--json"}));
+        const Json json = parse_json(output_of({"diff", "bad.exr", "bad.exr", "--json"}));
         EXPECT_EQ(json.at("identical"), true);
         EXPECT_EQ(json.at("rmse"), 0);
     }
@@ -221,7 +219,7 @@ TEST_F(Diff, DrawsWhatFlipSees)
     // the last, (252, 253, 191).
     EXPECT_NEAR(srgb_from_linear(read_image(tool_.file("map.exr")).at(5, 5)[2]) * 255,
                 160 + 31 * (0.96739 * 15 - 14), 0.05);
-    const Json json = Json::parse(output_of({"diff", "white.exr", "black.exr", "--json"}));
+    const Json json = parse_json(output_of({"diff", "white.exr", "black.exr", "--json"}));
     EXPECT_NEAR(json.at("flip").get<double>(), 0.9673883, 1e-4);  // as FLIP's authors' program
     // 11 x 11 windows of 1 and 0: C1 / (1 + C1).
     EXPECT_NEAR(json.at("ssim").get<double>(), 1e-4 / 1.0001, 1e-12);

@@ -5,21 +5,19 @@
 
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 
-inline nlohmann::json reproduce(const Tool& tool, const std::string& name)
+inline Json reproduce(const Tool& tool, const std::string& name)
 {
-    using Json = nlohmann::json;
     const Outcome outcome = tool.run({"reproduce", name, "--quick", "-o", "out/deep"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(outcome.out, "out/deep/" + name + ".md\nout/deep/index.html\n");
     EXPECT_TRUE(text_of(tool.file("out/deep/" + name + ".md")).starts_with("# " + name + "\n"));
-    const Json json = Json::parse(text_of(tool.file("out/deep/" + name + ".json")));
+    const Json json = parse_json(text_of(tool.file("out/deep/" + name + ".json")));
     EXPECT_EQ(json["name"], name);
     EXPECT_EQ(json["quick"], true);
     for (const Json& picture : json["pictures"]) {

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
 #include "scene/gltf_fixture.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
@@ -51,7 +51,7 @@ TEST_F(RenderFilmTest, WritesAFileForEachFrame)
     EXPECT_NE(file("a.b#.009.exr"), first);
     EXPECT_NE(file("a.b#.010.exr"), "");
     EXPECT_NE(file("c10.exr"), "");
-    const auto json = nlohmann::json::parse(file("stats.json"));
+    const auto json = parse_json(file("stats.json"));
     ASSERT_EQ(json.at("frames").size(), 3u);
     EXPECT_EQ(json["frames"][2].at("frame"), 10);
     EXPECT_EQ(json["frames"][2].at("image"), "a.b#.010.exr");

@@ -8,17 +8,14 @@
 #include <sstream>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
 #include "methods/method.h"
+#include "support/json.h"
 
 namespace sheer::test {
 
 namespace {
-
-using Json = nlohmann::json;
 
 // Of 100 numbers that are close to normal the largest is beyond this once in 200,000 runs; seeds
 // are fixed, so that it either is or is not.
@@ -206,7 +203,7 @@ TEST(CliReproduceContinuum, FilesStandBesideTheScenes)
     const Outcome outcome = tool.run({"reproduce", "continuum-table", "--quick", "--scenes",
                                       std::string(folder) + "/gltf", "-o", "out"});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const Json json = Json::parse(text_of(tool.file("out/continuum-table.json")));
+    const Json json = parse_json(text_of(tool.file("out/continuum-table.json")));
     ASSERT_EQ(json["tables"].size(), 3u + 3u + 5u);  // of all, of three scenes, of the files
     for (std::size_t file = 6; file < 11; ++file) {
         const Json& rows = json["tables"][file]["rows"];

@@ -7,15 +7,12 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
-
-using Json = nlohmann::json;
 
 // In units of errors that are estimated from 8 or 12 numbers themselves: Student's t with 7 degrees
 // of freedom is beyond this once in 1,800 times, so that of 32 such numbers one is once in 60 runs.

@@ -5,16 +5,13 @@
 #include <map>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 
 namespace {
-
-using Json = nlohmann::json;
 
 std::map<std::string, Json> rows_of(const Json& json, const std::string& by = "method",
                                     std::size_t table = 0)

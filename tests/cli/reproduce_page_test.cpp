@@ -5,12 +5,11 @@
 
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 
 namespace {
-
-using Json = nlohmann::json;
 
 const Json& claim_of(const Json& json, const std::string& what)
 {

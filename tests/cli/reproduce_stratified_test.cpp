@@ -5,16 +5,13 @@
 #include <map>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr double kWhite = 255;
 constexpr double kRounding = 1e-3;  // of means of a thousand floats, times 255

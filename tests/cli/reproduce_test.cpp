@@ -6,16 +6,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include <nlohmann/json.hpp>
-
 #include "cli/quick_entry.h"
 #include "cli/run_tool.h"
+#include "support/json.h"
 
 namespace sheer::test {
 
 namespace {
-
-using Json = nlohmann::json;
 
 TEST(CliReproduce, ListsWhatThereIs)
 {

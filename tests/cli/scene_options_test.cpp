@@ -6,11 +6,11 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
 #include "image/png_file.h"
 #include "scene/gltf_fixture.h"
+#include "support/json.h"
 
 namespace sheer::test {
 namespace {
@@ -51,14 +51,14 @@ protected:
                        "8x8",    "--samples", "1",  "--json", "--camera"};
         words.emplace_back("0");
         words.insert(words.end(), added.begin(), added.end());
-        return Json::parse(output(words)).at("fragments");
+        return parse_json(output(words)).at("fragments");
     }
 
     Json info(const Words& words) const
     {
         Words all = {"info", "--json"};
         all.insert(all.end(), words.begin(), words.end());
-        return Json::parse(output(all));
+        return parse_json(output(all));
     }
 
 private:
@@ -212,7 +212,7 @@ TEST_F(SceneOptionsTest, InfoCountsInstancesGlassAndLights)
     json["materials"][0]["extensions"] = {
         {"KHR_materials_transmission", {{"transmissionFactor", 1}}}};
     json["extensions"]["KHR_lights_punctual"]["lights"] =
-        Json::parse(R"([{"type": "spot", "spot": {}}, {"type": "point"}])");
+        parse_json(R"([{"type": "spot", "spot": {}}, {"type": "point"}])");
     json["nodes"][2]["extensions"] = {{"KHR_lights_punctual", {{"light", 0}}}};
     const std::string scene = write("a.gltf", builder.text());
     const Json told = info({scene});
@@ -222,7 +222,7 @@ TEST_F(SceneOptionsTest, InfoCountsInstancesGlassAndLights)
     EXPECT_EQ(told.at("triangles_by_alpha_mode").at("opaque"), 4);
     EXPECT_EQ(told.at("glass_triangles"), 4);
     EXPECT_EQ(told.at("glass_materials"), 1);
-    EXPECT_EQ(told.at("lights"), Json::parse(R"({"directional": 0, "point": 0, "spot": 1})"));
+    EXPECT_EQ(told.at("lights"), parse_json(R"({"directional": 0, "point": 0, "spot": 1})"));
     const std::string text = output({"info", scene});
     EXPECT_NE(text.find("triangles  4 (4 opaque), 4 of them coloured glass\n"), std::string::npos)
         << text;

@@ -4,15 +4,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include "cli/run_tool.h"
+#include "support/json.h"
 #include "support/test_folder.h"
 
 namespace sheer::test {
 namespace {
-
-using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
 constexpr const char* kLayers = "builtin:layers?alpha=0.5,0.25&depth=1,2";
@@ -33,7 +31,7 @@ TEST(Transmittance, WritesAllNumbers)
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
     EXPECT_EQ(outcome.out, "t.json: pixel 3,12, 2 fragments, 2 methods\n");
-    const Json json = Json::parse(text_of(tool.file("t.json")));
+    const Json json = parse_json(text_of(tool.file("t.json")));
     EXPECT_EQ(json.at("scene"), kLayers);
     EXPECT_EQ(json.at("pixel"), Json({3, 12}));
     EXPECT_EQ(json.at("samples"), 4);

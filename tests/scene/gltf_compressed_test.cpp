@@ -176,7 +176,7 @@ Bytes encode_attributes(const void* data, std::size_t count, std::size_t stride)
 // `list` with a placeholder buffer besides, which has no data.
 std::string with_fallback(const Builder& builder)
 {
-    Json json = Json::parse(builder.text());
+    Json json = parse_json(builder.text());
     json["buffers"].push_back(
         {{"byteLength", 1 << 20},
          {"extensions", {{"EXT_meshopt_compression", {{"fallback", true}}}}}});
@@ -302,7 +302,7 @@ TEST(GltfMeshopt, PlainDataServesWhereThereIsNoCompression)
 {
     Builder builder = one_triangle();
     builder.json["bufferViews"][0]["buffer"] = 1;
-    Json json = Json::parse(builder.text());
+    Json json = parse_json(builder.text());
     json["buffers"].push_back({{"byteLength", 36}});
     EXPECT_EQ(fault_of_text(json.dump()),
               "test.gltf: buffers[1]: has no uri, and the file has no binary chunk for it");

@@ -209,7 +209,7 @@ TEST(GltfFaults, Materials)
 {
     const auto with_material = [](const char* material) {
         return after(
-            [&](Builder& b) { b.json["materials"] = Json::array({Json::parse(material)}); });
+            [&](Builder& b) { b.json["materials"] = Json::array({parse_json(material)}); });
     };
     EXPECT_EQ(with_material(R"({"alphaMode": "GLASS"})"),
               "test.gltf: materials[0].alphaMode: must be OPAQUE, MASK or BLEND, not \"GLASS\"");

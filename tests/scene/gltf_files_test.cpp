@@ -199,15 +199,15 @@ Builder sample_document()
     builder.json["meshes"][1]["weights"] = {0.5};
     builder.json["nodes"][1]["skin"] = 0;
     builder.json["skins"] = {{{"joints", {2}}}};
-    builder.json["nodes"][0]["extensions"] = Json::parse(
+    builder.json["nodes"][0]["extensions"] = parse_json(
         R"({"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 0}},
             "KHR_lights_punctual": {"light": 0}})");
     builder.json["extensions"] =
-        Json::parse(R"({"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 2}]}})");
+        parse_json(R"({"KHR_lights_punctual": {"lights": [{"type": "spot", "intensity": 2}]}})");
     builder.json["materials"][0]["emissiveTexture"] =
-        Json::parse(R"({"index": 0, "extensions": {"KHR_texture_transform": {"rotation": 1}}})");
-    builder.json["textures"] = Json::parse(R"([{"source": 0, "sampler": 0}])");
-    builder.json["samplers"] = Json::parse(R"([{"wrapS": 33071, "minFilter": 9987}])");
+        parse_json(R"({"index": 0, "extensions": {"KHR_texture_transform": {"rotation": 1}}})");
+    builder.json["textures"] = parse_json(R"([{"source": 0, "sampler": 0}])");
+    builder.json["samplers"] = parse_json(R"([{"wrapS": 33071, "minFilter": 9987}])");
     const auto png =
         png_file::make_png({1, 1, 8, png_file::kRgba, png_file::text_of({0, 1, 2, 3, 4})});
     builder.json["images"] = {{{"bufferView", builder.view(png)}}};

@@ -8,15 +8,13 @@
 #include <vector>
 
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 #include <sheer/error.h>
 
 #include "scene/gltf.h"
+#include "support/json.h"
 
 namespace sheer::test {
-
-using Json = nlohmann::json;
 
 inline std::string base64(const Bytes& bytes)
 {

@@ -11,7 +11,7 @@ Builder with_light(const char* light)
 {
     Builder builder = one_triangle();
     builder.json["extensionsRequired"] = {"KHR_lights_punctual"};
-    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({Json::parse(light)});
+    builder.json["extensions"]["KHR_lights_punctual"]["lights"] = Json::array({parse_json(light)});
     builder.json["nodes"][0]["extensions"]["KHR_lights_punctual"]["light"] = 0;
     return builder;
 }

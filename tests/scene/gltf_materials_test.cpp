@@ -10,7 +10,7 @@ TEST(GltfMaterials, ReadsMaterials)
 {
     Builder builder = one_triangle();
     builder.json["meshes"][0]["primitives"][0]["material"] = 1;
-    builder.json["materials"] = Json::parse(R"([{}, {
+    builder.json["materials"] = parse_json(R"([{}, {
         "name": "pane", "alphaMode": "BLEND", "doubleSided": true,
         "pbrMetallicRoughness": {"baseColorFactor": [0.25, 0.5, 0.75, 0.5]},
         "extensions": {"KHR_materials_unlit": {}}},
@@ -54,7 +54,7 @@ TEST(GltfMaterials, PrimitivesWithoutMaterialShareADefaultOne)
 Material material_of(const char* text)
 {
     Builder builder = one_triangle();
-    builder.json["materials"] = Json::array({Json::parse(text)});
+    builder.json["materials"] = Json::array({parse_json(text)});
     return read(builder).materials.at(0);
 }
 
@@ -106,7 +106,7 @@ TEST(GltfMaterials, WhatIsUnlitNeitherEmitsNorTransmits)
 TEST(GltfMaterials, ClampsFactorsAndSaysSo)
 {
     Builder builder = one_triangle();
-    builder.json["materials"] = Json::parse(R"([{"emissiveFactor": [0, 2, -1],
+    builder.json["materials"] = parse_json(R"([{"emissiveFactor": [0, 2, -1],
         "pbrMetallicRoughness": {"metallicFactor": 3, "roughnessFactor": -1,
                                  "baseColorFactor": [2, 0.5, 0.5, 1]}}])");
     const Scene scene = read(builder);
@@ -125,7 +125,7 @@ TEST(GltfMaterials, ClampsFactorsAndSaysSo)
 TEST(GltfMaterials, NotesWhatItDoesNotDraw)
 {
     Builder builder = one_triangle();
-    builder.json["materials"] = Json::parse(R"([
+    builder.json["materials"] = parse_json(R"([
         {"occlusionTexture": {"index": 0}},
         {"occlusionTexture": {"index": 0},
          "extensions": {"KHR_materials_volume": {}, "KHR_materials_clearcoat": {}}}])");
@@ -143,7 +143,7 @@ TEST(GltfMaterials, RefusesWhatNoFloatHolds)
 {
     const auto fault = [](const char* text) {
         Builder builder = one_triangle();
-        builder.json["materials"] = Json::array({Json::parse(text)});
+        builder.json["materials"] = Json::array({parse_json(text)});
         return fault_of(builder);
     };
     const std::string where =

@@ -58,7 +58,7 @@ TEST(GltfNodes, ChoosesTheScene)
 TEST(GltfNodes, TheCallerMayChooseTheScene)
 {
     Builder builder = nodes_with_a_mesh(3);
-    builder.json["scenes"] = Json::parse(
+    builder.json["scenes"] = parse_json(
         R"([{"nodes": [0]}, {"nodes": [1], "name": "two"}, {"nodes": [2], "name": "0"}])");
     builder.json["scene"] = 1;
     const std::string text = builder.text();
@@ -109,7 +109,7 @@ TEST(GltfNodes, WhatAnAnimationMovesIsAWhole)
     }
     nodes[3]["scale"] = {2, 2, 2};
     EXPECT_FALSE(read(builder).objects[3].to_whole);  // nothing moves
-    builder.json["animations"] = Json::parse(R"([{"channels": [
+    builder.json["animations"] = parse_json(R"([{"channels": [
         {"target": {"node": 1, "path": "rotation"}}, {"target": {"node": 4, "path": "weights"}},
         {"target": {"path": "scale"}}]}])");
     const Scene scene = read(builder);
@@ -214,7 +214,7 @@ Builder with_camera(const Json& camera)
 
 TEST(GltfCameras, ReadsPerspective)
 {
-    Builder builder = with_camera(Json::parse(
+    Builder builder = with_camera(parse_json(
         R"({"type": "perspective", "name": "eye",
             "perspective": {"yfov": 0.5, "aspectRatio": 1.5, "znear": 0.25}})"));
     const Camera camera = read(builder).cameras.at(0);
@@ -233,7 +233,7 @@ TEST(GltfCameras, ReadsPerspective)
 
 TEST(GltfCameras, ReadsOrthographic)
 {
-    Builder builder = with_camera(Json::parse(
+    Builder builder = with_camera(parse_json(
         R"({"type": "orthographic",
             "orthographic": {"xmag": 2, "ymag": 3, "znear": 0, "zfar": 10}})"));
     const Camera camera = read(builder).cameras.at(0);
@@ -250,7 +250,7 @@ TEST(GltfCameras, ReadsOrthographic)
 TEST(GltfCameras, ScaleAndMirroringDoNotReachTheView)
 {
     Builder builder = with_camera(
-        Json::parse(R"({"type": "perspective", "perspective": {"yfov": 0.5, "znear": 1}})"));
+        parse_json(R"({"type": "perspective", "perspective": {"yfov": 0.5, "znear": 1}})"));
     builder.json["nodes"][0]["matrix"] = {-5, 0, 0, 0, 0, 0, -2, 0, 0, 3, 1, 0, 7, 8, 9, 1};
     const Scene scene = read(builder);
     const Mat4 camera = scene.cameras.at(0).transform;

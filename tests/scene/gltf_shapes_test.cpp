@@ -44,7 +44,7 @@ TEST(GltfMorph, ANodesWeightsGoBefore)
 {
     Builder builder = with_targets();
     builder.json["meshes"][0]["weights"] = {1, 0};
-    builder.json["nodes"] = Json::parse(
+    builder.json["nodes"] = parse_json(
         R"([{"mesh": 0}, {"mesh": 0, "weights": [0, 0]}, {"mesh": 0, "weights": [0, 1]},
             {"mesh": 0, "weights": [1, 0]}])");
     builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3};
@@ -64,7 +64,7 @@ TEST(GltfMorph, PrimitivesReadAgainAreCounted)
 {
     Builder builder = with_targets();
     builder.json["meshes"][0]["primitives"].push_back({{"attributes", Json::object()}});
-    builder.json["nodes"] = Json::parse(
+    builder.json["nodes"] = parse_json(
         R"([{"mesh": 0}, {"mesh": 0}, {"mesh": 0, "weights": [0, 1]},
             {"mesh": 0, "weights": [1, 0]}])");
     builder.json["scenes"][0]["nodes"] = {0, 1, 2, 3};

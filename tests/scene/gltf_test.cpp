@@ -95,7 +95,7 @@ TEST(Gltf, LeavesOutVerticesThatMakeNoLine)
 TEST(Gltf, LinesAndPointsWithoutNormalsAreUnlit)
 {
     Builder builder = one_triangle();
-    builder.json["materials"] = Json::parse(R"([{"name": "ink", "alphaMode": "BLEND"}])");
+    builder.json["materials"] = parse_json(R"([{"name": "ink", "alphaMode": "BLEND"}])");
     Json lines = builder.json["meshes"][0]["primitives"][0];
     lines["material"] = 0;
     builder.json["meshes"][0]["primitives"] = Json::array({lines, lines, lines, lines});

@@ -27,9 +27,9 @@ Builder textured()
 {
     Builder builder = one_triangle();
     builder.json["materials"] =
-        Json::parse(R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}])");
+        parse_json(R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}}}])");
     builder.json["meshes"][0]["primitives"][0]["material"] = 0;
-    builder.json["textures"] = Json::parse(R"([{"source": 0}])");
+    builder.json["textures"] = parse_json(R"([{"source": 0}])");
     builder.json["images"] = {
         {{"name", "red"}, {"uri", "data:image/png;base64," + base64(one_texel(255, 0, 0))}}};
     return builder;
@@ -68,7 +68,7 @@ TEST(GltfTextures, ReadsATextureAndItsImage)
 TEST(GltfTextures, ReadsTexturesOfEveryKind)
 {
     Builder builder = textured();
-    builder.json["materials"][0] = Json::parse(R"({
+    builder.json["materials"][0] = parse_json(R"({
         "pbrMetallicRoughness": {"baseColorTexture": {"index": 0},
                                  "metallicRoughnessTexture": {"index": 1, "texCoord": 1}},
         "normalTexture": {"index": 2, "scale": -0.5}, "emissiveTexture": {"index": 3},
@@ -146,7 +146,7 @@ TEST(GltfTextures, DrawsWithoutImagesOfOtherKinds)
     EXPECT_FALSE(scene.materials.at(0).base_color_texture);
     EXPECT_TRUE(notes(scene, "images that are neither PNG nor JPEG: 1, drawn without"));
     builder.json["textures"][0] =
-        Json::parse(R"({"extensions": {"KHR_texture_basisu": {"source": 0}}})");
+        parse_json(R"({"extensions": {"KHR_texture_basisu": {"source": 0}}})");
     EXPECT_TRUE(
         notes(read(builder), "textures without an image that is PNG or JPEG: 1, drawn without"));
 }
@@ -156,7 +156,7 @@ TEST(GltfTextures, ReadsSamplers)
     const auto sampler_of = [](const char* text) {
         Builder builder = textured();
         builder.json["textures"][0]["sampler"] = 0;
-        builder.json["samplers"] = Json::array({Json::parse(text)});
+        builder.json["samplers"] = Json::array({parse_json(text)});
         return texture_of(builder).sampler;
     };
     EXPECT_EQ(sampler_of("{}").mip, MipFilter::linear);
@@ -195,7 +195,7 @@ TEST(GltfTextures, TransformsCoordinates)
     // degrees. Lower is larger v. The image's lower left corner, (0, 1), is then seen at the top
     // left, (0, 0), and its upper left corner of the quarter, (0, 0.5), at the top right.
     info_of(builder)["extensions"]["KHR_texture_transform"] =
-        Json::parse(R"({"offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]})");
+        parse_json(R"({"offset": [0, 1], "rotation": 1.57079632679, "scale": [0.5, 0.5]})");
     const auto turned = texture_of(builder).transform;
     const Float2 top_left = transformed(turned, 0, 0), top_right = transformed(turned, 1, 0);
     const Float2 bottom_left = transformed(turned, 0, 1);
@@ -207,11 +207,11 @@ TEST(GltfTextures, TransformsCoordinates)
     EXPECT_NEAR(bottom_left[1], 1, 1e-6);
     // And its other one, which turns the v axis round.
     info_of(builder)["extensions"]["KHR_texture_transform"] =
-        Json::parse(R"({"offset": [0, 1], "scale": [1, -1]})");
+        parse_json(R"({"offset": [0, 1], "scale": [1, -1]})");
     EXPECT_EQ(texture_of(builder).transform, (std::array<float, 6>{1, 0, 0, 0, -1, 1}));
     // Scale comes before rotation: (1, 1) goes to (2, 3) and is turned from there.
     info_of(builder)["extensions"]["KHR_texture_transform"] =
-        Json::parse(R"({"rotation": 1.57079632679, "scale": [2, 3]})");
+        parse_json(R"({"rotation": 1.57079632679, "scale": [2, 3]})");
     const Float2 corner = transformed(texture_of(builder).transform, 1, 1);
     EXPECT_NEAR(corner[0], 3, 1e-5);
     EXPECT_NEAR(corner[1], -2, 1e-5);
