@@ -9,7 +9,8 @@
 
 #include <limits>
 
-#include "methods/sample_depths-inl.h"
+#include "methods/samples-inl.h"
+#include "raster/sample_depth-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
@@ -22,15 +23,27 @@ HWY_INLINE void for_each_layer(const FragmentStream& f, const SampleSet& set, Vi
     using L = Lanes<S>;
     using real = typename L::real;
     using whole = typename L::whole;
+    constexpr std::size_t kMostBlocks = (S < 16 ? S : kMaxSamples) / L::kCount;
+    const std::size_t samples = sample_count<S>(set.count);
     const auto clear = Text::layer_clear(real(std::numeric_limits<float>::infinity()));
-    for_each_sample_depth<S>(
-        f, set,
-        [&](const DepthPlane&, std::uint32_t primitive, std::size_t i, std::size_t s, real depth)
-            HWY_ATTR {
-                visit(f.pixel[i], s,
-                      Text::layer_of(sample_mask<L>(f, i, s), clear, depth, whole(primitive),
+    for (int r = 0; r < f.run_count; ++r) {
+        const FragmentRun& run = f.runs[r];
+        const DepthPlane plane = run.depth;  // a copy, which what is stored cannot alias
+        const whole id(run.primitive);
+        real offsets[kMostBlocks];
+        for (std::size_t s = 0; s < samples; s += L::kCount) {
+            offsets[s / L::kCount] = sample_depth_offset<L>(plane, set, s);
+        }
+        for (std::size_t i = run.first; i < run.first + run.count; ++i) {
+            const std::size_t pixel = f.pixel[i];
+            for (std::size_t s = 0; s < samples; s += L::kCount) {
+                const real depth = sample_depth<L>(plane, offsets[s / L::kCount], f.depth[i]);
+                visit(pixel, s,
+                      Text::layer_of(sample_mask<L>(f, i, s), clear, depth, id,
                                      color_of<Text>(f, i), real(f.opacity[i])));
-            });
+            }
+        }
+    }
 }
 
 // How a layer lies in memory: a precise depth is two floats, any other one.
@@ -55,10 +68,10 @@ HWY_INLINE typename Text::Layer load_layer(const float* at, std::size_t samples)
     } else {
         l.depth = {real::load(at), real::load(at + samples)};
     }
+    constexpr std::size_t kId = kDepthChannels<Text>;
     l.id = load_layer_id<Text>(at, samples);
-    at += kDepthChannels<Text> * samples;
-    l.color = load_color<Text>(at + samples, samples);
-    l.opacity = real::load(at + 4 * samples);
+    l.color = load_color<Text>(at + (kId + 1) * samples, samples);
+    l.opacity = real::load(at + (kId + 4) * samples);
     return l;
 }
 template <class Text>
@@ -70,10 +83,10 @@ HWY_INLINE void save_layer(const typename Text::Layer& l, float* at, std::size_t
         l.depth.upper.store(at);
         l.depth.lower.store(at + samples);
     }
-    at += kDepthChannels<Text> * samples;
-    l.id.as_real().store(at);
-    save_color<Text>(l.color, at + samples, samples);
-    l.opacity.store(at + 4 * samples);
+    constexpr std::size_t kId = kDepthChannels<Text>;
+    l.id.as_real().store(at + kId * samples);
+    save_color<Text>(l.color, at + (kId + 1) * samples, samples);
+    l.opacity.store(at + (kId + 4) * samples);
 }
 
 // TextOf<L> has the words of layers.glsl. Layers come near to far; a pixel's first layers(pixel)

@@ -70,7 +70,7 @@ HWY_INLINE void resolve_samples(SampleColors& backdrop, std::size_t pixel, std::
     Text::over_alpha(transmittance, real::load(alpha)).store(alpha);
 }
 
-// S, which 16 stands for too where there are more, or any number (kIsAnyNumber).
+// S, which 16 stands for too where there are more.
 template <int S>
 HWY_INLINE std::size_t sample_count(int samples)
 {
@@ -101,11 +101,6 @@ HWY_INLINE float mean_over_samples(std::size_t count, Value&& value)
     return static_cast<float>(sum / static_cast<double>(count));
 }
 
-// Without vectors stores are compiled for one sample and for any number: with a lane for each of
-// 2, 4 and 8 there is nothing to gain.
-template <int S>
-inline constexpr bool kIsAnyNumber = S == 16 && Lanes<S>::kCount == 1;
-
 // Calls visit with the number of samples as a constant, which unrolls.
 template <int S, class Visit>
 HWY_INLINE void with_sample_count(int samples, Visit&& visit)
@@ -113,14 +108,6 @@ HWY_INLINE void with_sample_count(int samples, Visit&& visit)
     if constexpr (S < 16) {
         visit(std::integral_constant<int, S>());
     } else {
-        if constexpr (kIsAnyNumber<S>) {
-            switch (samples) {
-                case 2: return visit(std::integral_constant<int, 2>());
-                case 4: return visit(std::integral_constant<int, 4>());
-                case 8: return visit(std::integral_constant<int, 8>());
-                default: break;
-            }
-        }
         switch (samples) {
             case 16: return visit(std::integral_constant<int, 16>());
             case 32: return visit(std::integral_constant<int, 32>());
@@ -234,21 +221,17 @@ HWY_INLINE typename Text::real3 color_of(const Stream& f, std::size_t i)
     return {real(f.red[i]), real(f.green[i]), real(f.blue[i])};
 }
 
-// The verbs of Store<S> with S = min(samples, 16) lanes; more samples are a loop in the store, and
-// so is any number without vectors.
+// The verbs of Store<S> with S = min(samples, 16) lanes; more samples are a loop in the store.
 template <template <int> class Store>
 StoreVerbs verbs_for_samples(int samples)
 {
-    if (samples == 1) return verbs_of<Store<1>>();
-    if constexpr (!kIsAnyNumber<16>) {
-        switch (samples) {
-            case 2: return verbs_of<Store<2>>();
-            case 4: return verbs_of<Store<4>>();
-            case 8: return verbs_of<Store<8>>();
-            default: break;
-        }
+    switch (samples) {
+        case 1: return verbs_of<Store<1>>();
+        case 2: return verbs_of<Store<2>>();
+        case 4: return verbs_of<Store<4>>();
+        case 8: return verbs_of<Store<8>>();
+        default: return verbs_of<Store<16>>();
     }
-    return verbs_of<Store<16>>();
 }
 
 }  // namespace sheer::HWY_NAMESPACE
