@@ -14,7 +14,7 @@ HWY_BEFORE_NAMESPACE();
 namespace sheer::HWY_NAMESPACE {
 
 // Method: what SampleStore wants, and
-//   wants(covered, id, nearest, farthest, at, samples): whether it may take such a layer,
+//   wants(rough, at, samples): whether it may take the layer,
 //   insert(layer, at, samples): whether it took the layer at any of the samples,
 //   begin(peel): what a pass begins with.
 template <int S, class Method>

@@ -11,6 +11,7 @@
 
 namespace sheer::test {
 namespace {
+
 using Words = std::vector<std::string>;
 
 Words bench_words(const Words& added)

@@ -14,6 +14,7 @@
 
 namespace sheer::test {
 namespace {
+
 using Words = std::vector<std::string>;
 
 // Standard output of a run that must go well.

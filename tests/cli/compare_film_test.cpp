@@ -11,6 +11,7 @@
 
 namespace sheer::test {
 namespace {
+
 using Words = std::vector<std::string>;
 
 class CompareFilmTest : public testing::Test {

@@ -11,6 +11,7 @@
 
 namespace sheer::test {
 namespace {
+
 using Words = std::vector<std::string>;
 
 constexpr const char* kLayers = "builtin:layers?alpha=0.5,0.25&depth=1,2";
