@@ -213,7 +213,7 @@ inline Kept kept_by(const Setting& setting, const Plate& plate, std::uint32_t pi
         return opacity >= threshold ? Kept::yes : Kept::no;
     }
     if (id == "screen-door") return screen_door_oracle(method, opacity, pixel);
-    const std::array<float, 9> place = place_of(plate, pixel);
+    const std::array<float, 9> place = place_at(first_place_of(plate), pixel);
     if (id == "hashed-alpha-to-coverage") {
         return hashed_coverage_oracle(setting, opacity, place, s);
     }

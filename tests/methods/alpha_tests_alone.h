@@ -55,10 +55,11 @@ struct NearestAlone : MethodAlone<L> {
 
 template <class L>
 struct AlphaTestAlone : NearestAlone<L, AlphaTestAlone<L>> {
+    const typename L::real cutoff{static_cast<float>(this->method.real("cutoff"))};
+
     bool keeps(std::size_t i, std::size_t) const
     {
-        return Texts<L>::alpha_test(
-            this->opacity(i), typename L::real(static_cast<float>(this->method.real("cutoff"))));
+        return Texts<L>::alpha_test(this->opacity(i), cutoff);
     }
 };
 
@@ -69,6 +70,7 @@ struct TestThenBlendAlone : MethodAlone<L> {
     using real3 = typename T::real3;
     using Store = typename T::TestThenBlendStore;
     static constexpr int kPasses = 2;
+    const real cutoff{static_cast<float>(this->method.real("cutoff"))};
 
     static real beyond_any() { return real(std::numeric_limits<float>::infinity()); }
     static Store clear() { return T::test_then_blend_clear(beyond_any()); }
@@ -77,7 +79,6 @@ struct TestThenBlendAlone : MethodAlone<L> {
         const typename T::StochasticStore here = {
             real(this->lists.depth_at(i, at)), this->lists.fragments[i].primitive, this->color(i)};
         const bool covered = this->lists.covers(i, at);
-        const real cutoff(static_cast<float>(this->method.real("cutoff")));
         return this->pass == 0
                    ? T::test_then_blend_test(s, covered, here, this->opacity(i), cutoff)
                    : T::test_then_blend_blend(s, covered, here, this->opacity(i), cutoff);
@@ -96,15 +97,14 @@ struct TestThenBlendAlone : MethodAlone<L> {
 template <class L>
 struct StochasticTestAlone : NearestAlone<L, StochasticTestAlone<L>> {
     using T = Texts<L>;
+    const bool by_fragment = this->method.value("threshold") == "fragment";
 
     bool keeps(std::size_t i, std::size_t at) const
     {
         const std::uint32_t seed = T::fragment_seed(
             this->x, this->y,
             T::identity_seed(this->lists.fragments[i].primitive, this->lists.place.key));
-        if (this->method.value("threshold") == "fragment") {
-            return T::alpha_test(this->opacity(i), T::random_threshold(seed));
-        }
+        if (by_fragment) return T::alpha_test(this->opacity(i), T::random_threshold(seed));
         return this->has(T::naive_mask(seed, this->opacity(i), this->lists.set.count), at);
     }
 };
@@ -143,12 +143,14 @@ struct HashedAlone {
 
 template <class L>
 struct HashedTestAlone : NearestAlone<L, HashedTestAlone<L>> {
+    const HashedAlone<L> hashed{hashed_settings(this->method)};
+    const float levels = fade_in_levels(this->method);
+
     bool keeps(std::size_t i, std::size_t) const
     {
         const ListedFragment& f = this->lists.fragments[i];
-        const HashedAlone<L> hashed{hashed_settings(this->method)};
         auto threshold = hashed.threshold(hashed.cells(f.place));
-        if (const float levels = fade_in_levels(this->method); levels > 0) {
+        if (levels > 0) {
             const auto b = Texts<L>::fade_in(typename L::real(f.level), typename L::real(levels));
             threshold = Texts<L>::faded_threshold(threshold, b);
         }
@@ -159,24 +161,25 @@ struct HashedTestAlone : NearestAlone<L, HashedTestAlone<L>> {
 template <class L>
 struct CoverageAlone : NearestAlone<L, CoverageAlone<L>> {
     using T = Texts<L>;
+    const bool fixed = this->method.row->id == std::string("alpha-to-coverage");
+    const HashedAlone<L> hashed{fixed ? HashedSettings{} : hashed_settings(this->method)};
+    const bool apart = !fixed && this->method.value("decorrelate") == "on";
+    const bool by_sample = !fixed && this->method.value("jitter") == "sample";
 
     bool keeps(std::size_t i, std::size_t at) const
     {
         const int samples = this->lists.set.count;
-        if (this->method.row->id == std::string("alpha-to-coverage")) {
+        if (fixed) {
             return this->has(
                 T::coverage_mask(this->opacity(i), typename L::real(0.5f), false, 0u, 1u, samples),
                 at);
         }
-        const HashedAlone<L> hashed{hashed_settings(this->method)};
         const auto cells = hashed.cells(this->lists.fragments[i].place);
         const auto n = static_cast<std::uint32_t>(samples);
         const auto other = [&](std::uint32_t number) {
             return hashed.threshold(T::other_cells(cells, number));
         };
-        const bool apart = this->method.value("decorrelate") == "on";
-        return this->has(T::coverage_mask(this->opacity(i), hashed.threshold(cells),
-                                          this->method.value("jitter") == "sample",
+        return this->has(T::coverage_mask(this->opacity(i), hashed.threshold(cells), by_sample,
                                           apart ? T::coverage_offset(n, other(1)) : 0u,
                                           apart ? T::coverage_increment(n, other(2)) : 1u, samples),
                          at);
@@ -186,19 +189,19 @@ struct CoverageAlone : NearestAlone<L, CoverageAlone<L>> {
 template <class L>
 struct ScreenDoorAlone : NearestAlone<L, ScreenDoorAlone<L>> {
     using T = Texts<L>;
+    const std::string &square = this->method.value("square"),
+                      &by = this->method.value("decorrelate");
+    const bool jitter = this->method.value("jitter") == "on";
 
     bool keeps(std::size_t i, std::size_t) const
     {
         const ListedFragment& f = this->lists.fragments[i];
-        const std::string &square = this->method.value("square"),
-                          &by = this->method.value("decorrelate");
         const std::uint32_t name = by == "object" ? 2 * f.object + f.back_facing : f.primitive;
         return T::screen_door_keeps(this->opacity(i), this->x, this->y,
                                     square == "2"   ? 1
                                     : square == "4" ? 2
                                                     : 3,
-                                    T::identity_seed(name, 0u), by != "off",
-                                    this->method.value("jitter") == "on");
+                                    T::identity_seed(name, 0u), by != "off", jitter);
     }
 };
 

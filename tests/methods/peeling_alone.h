@@ -15,6 +15,7 @@ struct DepthPeelingAlone : LayersAlone<L> {
     using T = Texts<L>;
     using Store = typename T::DepthPeel;
     static constexpr int kPasses = 4096;
+    const int peels = this->method.number("peels");
     mutable int begun = 0;
 
     Store clear() const
@@ -30,8 +31,7 @@ struct DepthPeelingAlone : LayersAlone<L> {
     }
     bool done(const Store& s) const
     {
-        return this->pass + 1 == this->method.number("peels") ||
-               !(s.nearest.depth < this->beyond_any());
+        return this->pass + 1 == peels || !(s.nearest.depth < this->beyond_any());
     }
     static auto all(const Store& s)
     {
@@ -53,6 +53,7 @@ struct DualPeelingAlone : LayersAlone<L> {
     using T = Texts<L>;
     using Store = typename T::DualPeel;
     static constexpr int kPasses = 4096;
+    const int peels = this->method.number("peels");
     mutable int begun = 0;
 
     Store clear() const
@@ -68,8 +69,7 @@ struct DualPeelingAlone : LayersAlone<L> {
     }
     bool done(const Store& s) const
     {
-        return this->pass + 1 == this->method.number("peels") ||
-               !(s.nearest.depth < this->beyond_any());
+        return this->pass + 1 == peels || !(s.nearest.depth < this->beyond_any());
     }
     static auto all(const Store& s)
     {
@@ -91,6 +91,9 @@ template <class L>
 struct BucketPeelingAlone : LayersAlone<L> {
     using T = Texts<L>;
     static constexpr int kPasses = 4096 + 2;
+    const bool adaptive = this->method.value("borders") == "adaptive";
+    const int buckets = this->method.number("buckets");
+    const int passes = this->method.traits().passes;
     struct Store {
         typename T::BucketRange range;
         std::vector<std::uint32_t> bins, before;
@@ -98,15 +101,13 @@ struct BucketPeelingAlone : LayersAlone<L> {
         int begun;
     };
 
-    bool adaptive() const { return this->method.value("borders") == "adaptive"; }
-    int first_peel() const { return adaptive() ? 2 : 1; }
-    int buckets() const { return this->method.number("buckets"); }
+    int first_peel() const { return adaptive ? 2 : 1; }
 
     Store clear() const
     {
         return {T::bucket_range_clear(this->beyond_any()), std::vector<std::uint32_t>(32),
                 std::vector<std::uint32_t>(33),
-                std::vector(static_cast<std::size_t>(buckets()),
+                std::vector(static_cast<std::size_t>(buckets),
                             T::depth_peeling_clear(this->beyond_any())),
                 0};
     }
@@ -119,8 +120,8 @@ struct BucketPeelingAlone : LayersAlone<L> {
             s.range = T::bucket_range_insert(s.range, covered, depth);
             return s;
         }
-        if (!adaptive()) {
-            peel(s, T::bucket_place(s.range, covered, depth, buckets()), i, at);
+        if (!adaptive) {
+            peel(s, T::bucket_place(s.range, covered, depth, buckets), i, at);
             return s;
         }
         const std::uint32_t bin = T::bucket_place(s.range, covered, depth, 1024);
@@ -130,7 +131,7 @@ struct BucketPeelingAlone : LayersAlone<L> {
             return s;
         }
         const std::uint32_t rank = T::bucket_rank(s.before[word], s.bins[word], bin);
-        peel(s, T::bucket_of_rank(rank, s.before[32], buckets()), i, at);
+        peel(s, T::bucket_of_rank(rank, s.before[32], buckets), i, at);
         return s;
     }
     void begin(Store& s) const
@@ -151,7 +152,7 @@ struct BucketPeelingAlone : LayersAlone<L> {
     bool done(const Store& s) const
     {
         if (this->pass < first_peel()) return false;
-        if (this->pass + 1 == this->method.traits().passes) return true;
+        if (this->pass + 1 == passes) return true;
         return std::none_of(s.peels.begin(), s.peels.end(), [](const auto& peel) {
             return peel.nearest.depth < BucketPeelingAlone::beyond_any();
         });

@@ -18,6 +18,7 @@ struct MasksAlone : MethodAlone<L> {
     using real = typename L::real;
     const bool stratified = this->method.value("masks") == "stratified";
     const bool dithered = this->method.value("round") == "tile-dither";
+    const bool corrects = this->method.value("correction") == "on";
     std::vector<typename T::SampleBits> masks = {};  // of the pixel's fragments
     std::uint32_t first = 0;
 
@@ -73,8 +74,7 @@ struct StochasticAlone : MasksAlone<L> {
 
     Store clear() const
     {
-        return {T::stochastic_clear(this->beyond_any()), real(1.0f),
-                this->method.value("correction") == "on"};
+        return {T::stochastic_clear(this->beyond_any()), real(1.0f), this->corrects};
     }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
@@ -121,7 +121,7 @@ struct StochasticDepthAlone : MasksAlone<L> {
     Store clear() const
     {
         return {T::stochastic_depth_clear(this->beyond_any()), T::stochastic_depth_no_sum(),
-                real(1.0f), this->method.value("correction") == "on"};
+                real(1.0f), this->corrects};
     }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {

@@ -130,13 +130,13 @@ struct WboitAlone : MethodAlone<L> {
     using T = Texts<L>;
     using Store = typename T::WboitStore;
     const int equation = wboit_equation(this->method);
+    const bool scaled = this->method.value("weight") == "range";
 
     static Store clear() { return T::wboit_clear(); }
     Store insert(Store s, std::size_t i, std::size_t at) const
     {
         const ListedFragment& f = this->lists.fragments[i];
         const float z = this->lists.distance_of(i);
-        const bool scaled = this->method.value("weight") == "range";
         const float d =
             scaled ? 0.5f * place_in(this->lists, f) + 0.5f : in_buffer(this->lists.eye, z);
         const auto weight =
@@ -165,7 +165,8 @@ Made<typename L::real> make_alone(const FragmentLists& lists, const ChosenMethod
             for (text.pass = 0; text.pass < Method<L>::kPasses; ++text.pass) {
                 for (std::uint32_t i = lists.first[pixel]; i < lists.first[pixel + 1]; ++i) {
                     const std::size_t sorted = s * lists.fragments.size() + i;
-                    store = text.insert(store, Method<L>::kSorted ? lists.sorted[sorted] : i, s);
+                    store = text.insert(std::move(store),
+                                        Method<L>::kSorted ? lists.sorted[sorted] : i, s);
                 }
                 if constexpr (requires { text.done(store); }) {
                     if (text.done(store)) break;

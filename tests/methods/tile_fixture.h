@@ -32,11 +32,11 @@ struct Plate {
 };
 using Plates = std::vector<Plate>;
 
-// Where on its surface the plate is in a pixel, and how that changes over the screen, as
-// FragmentStream::place has it: another plane for each, of all sizes, some along an axis.
-inline std::array<float, 9> place_of(const Plate& plate, std::uint32_t pixel)
+// As FragmentStream::place has it, in the tile's first pixel: another place on its surface for each
+// plate, and another plane over the screen, of all sizes, some along an axis.
+inline std::array<float, 9> first_place_of(const Plate& plate)
 {
-    // Cheap to seed, as is done for each fragment; its first number is nearly the seed.
+    // Cheap to seed; its first number is nearly the seed.
     std::minstd_rand random(plate.primitive * 69621u + 1);
     random.discard(3);
     std::uniform_real_distribution<float> uniform(-1, 1);
@@ -45,6 +45,12 @@ inline std::array<float, 9> place_of(const Plate& plate, std::uint32_t pixel)
     const float size = std::ldexp(1.0f, static_cast<int>(random() >> 8 & 15u) - 12);
     for (std::size_t c = 3; c < 9; ++c) place[c] *= size;
     if ((random() >> 8 & 3u) == 0) place[3] = place[6] = 0;
+    return place;
+}
+
+// The same in another pixel.
+inline std::array<float, 9> place_at(std::array<float, 9> place, std::uint32_t pixel)
+{
     for (std::size_t c = 0; c < 3; ++c) {
         place[c] += static_cast<float>(pixel % kTileSize) * place[3 + c] +
                     static_cast<float>(pixel / kTileSize) * place[6 + c];
@@ -121,6 +127,7 @@ inline void fill_stream(std::span<const Plate> plates, FragmentStream& stream)
     stream.clear();
     for (const Plate& plate : plates) {
         const auto first = static_cast<std::uint32_t>(stream.size);
+        const auto first_place = stream.placed ? first_place_of(plate) : std::array<float, 9>{};
         for (std::size_t i = 0; i < kUsedPixels; ++i) {
             if (plate.samples[i] == 0) continue;
             const int at = stream.size++;
@@ -133,7 +140,7 @@ inline void fill_stream(std::span<const Plate> plates, FragmentStream& stream)
             stream.blue[at] = plate.color[2];
             stream.opacity[at] = plate.color[3];
             if (!stream.placed) continue;
-            const std::array<float, 9> place = place_of(plate, tile_pixel(i));
+            const std::array<float, 9> place = place_at(first_place, tile_pixel(i));
             for (std::size_t c = 0; c < 9; ++c) stream.place[c][at] = place[c];
             stream.level[at] = level_of(plate);
         }
@@ -199,14 +206,8 @@ public:
 
     void insert(std::span<const Plate> plates)
     {
-        constexpr std::size_t kMost = kMostFragments / kUsedPixels;
-        static FragmentStream stream(kMostFragments, false, true);
-        for (; !plates.empty(); plates = plates.subspan(std::min(kMost, plates.size()))) {
-            const auto some = plates.first(std::min(kMost, plates.size()));
-            seen_.insert(seen_.end(), some.begin(), some.end());
-            fill_stream(some, stream);
-            verbs_.insert(store_.get(), stream, 0);
-        }
+        seen_.insert(seen_.end(), plates.begin(), plates.end());
+        insert(plates, 0);
     }
     // All of `later` arrived later, for the methods that see it. Merged after the first pass.
     void merge(const Tile& later)
@@ -220,7 +221,7 @@ public:
     {
         const MethodTraits traits = setting_.method.traits();
         const auto done = [&] { return verbs_.done != nullptr && verbs_.done(store_.get()); };
-        for (; pass_ < traits.passes && !done(); ++pass_) insert_again(pass_);
+        for (; pass_ < traits.passes && !done(); ++pass_) insert(seen_, pass_);
         SampleColors colors(setting_.set->count, traits.divides);
         std::copy(backdrop.begin(), backdrop.end(), colors.values.data());
         verbs_.resolve(store_.get(), colors);
@@ -237,11 +238,11 @@ public:
 private:
     static constexpr int kMostFragments = 4096;
 
-    void insert_again(int pass)
+    void insert(std::span<const Plate> plates, int pass)
     {
         constexpr std::size_t kMost = kMostFragments / kUsedPixels;
-        static FragmentStream stream(kMostFragments, false, true);
-        std::span<const Plate> plates = seen_;
+        static FragmentStream placed(kMostFragments, false, true), unplaced(kMostFragments);
+        FragmentStream& stream = setting_.method.wants().places ? placed : unplaced;
         for (; !plates.empty(); plates = plates.subspan(std::min(kMost, plates.size()))) {
             fill_stream(plates.first(std::min(kMost, plates.size())), stream);
             verbs_.insert(store_.get(), stream, pass);
