@@ -5,6 +5,7 @@
 #include <memory>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 namespace sheer {
 
@@ -18,36 +19,44 @@ class AlignedArray {
 
 public:
     AlignedArray() = default;
+    AlignedArray(AlignedArray&& other) noexcept
+        : data_(std::exchange(other.data_, nullptr)), size_(std::exchange(other.size_, 0))
+    {
+    }
+    AlignedArray& operator=(AlignedArray other) noexcept
+    {
+        std::swap(data_, other.data_);
+        std::swap(size_, other.size_);
+        return *this;
+    }
+    ~AlignedArray() { ::operator delete(data_, kAlignment); }
     explicit AlignedArray(int size) : AlignedArray(static_cast<std::size_t>(size)) {}
     explicit AlignedArray(std::size_t size) : AlignedArray(size, Unwritten{})
     {
-        std::uninitialized_value_construct_n(data_.get(), size);
+        std::uninitialized_value_construct_n(data_, size);
     }
     AlignedArray(std::size_t size, Unwritten)
         : data_(static_cast<T*>(::operator new(size * sizeof(T), kAlignment))), size_(size)
     {
     }
 
-    T* data() { return data_.get(); }
-    const T* data() const { return data_.get(); }
+    T* data() { return data_; }
+    const T* data() const { return data_; }
     std::size_t size() const { return size_; }
     template <class Index>
     T& operator[](Index i)
     {
-        return data_.get()[i];
+        return data_[i];
     }
     template <class Index>
     const T& operator[](Index i) const
     {
-        return data_.get()[i];
+        return data_[i];
     }
 
 private:
     static constexpr std::align_val_t kAlignment{64};
-    struct Free {
-        void operator()(T* p) const { ::operator delete(p, kAlignment); }
-    };
-    std::unique_ptr<T, Free> data_;
+    T* data_ = nullptr;
     std::size_t size_ = 0;
 };
 
