@@ -198,7 +198,7 @@ void add_diff_command(CLI::App& tool)
 {
     CLI::App* command = tool.add_subcommand("diff", "Measure how much two pictures differ");
     const auto request = std::make_shared<DiffRequest>();
-    command->add_option("A", request->a, "A picture, .exr or .png, from anywhere")
+    command->add_option("A", request->a, "A picture, .exr, .png or .jpg, from anywhere")
         ->required()
         ->option_text(" ");
     command->add_option("B", request->b, "Another of the same size; the truth, if one of them is")
@@ -210,7 +210,7 @@ void add_diff_command(CLI::App& tool)
               [request](auto&, auto& text) { request->flip_map = text; });
     command->add_flag("--json", request->json, "For programs")->disable_flag_override();
     command->footer(examples_help({"sheer diff blend.exr exact.exr",
-                                   "sheer diff blend.png exact.png -o error.png",
+                                   "sheer diff engine.jpg exact.png -o error.png",
                                    "sheer diff a.exr b.exr --json | jq .rmse"}) +
                     "\n" + meaning_help());
     command->callback([request] { run_diff(*request); });

@@ -1,36 +1,49 @@
 // The table of formats.
 #include "image/format.h"
 
-#include <algorithm>
 #include <array>
 #include <filesystem>
 
 #include <sheer/error.h>
 
 #include "image/exr.h"
+#include "image/jpeg.h"
 #include "image/png.h"
 
 namespace sheer {
 namespace {
 
-constexpr std::array<ImageFormat, 2> kFormats = {
-    {{".exr", encode_exr, decode_exr}, {".png", encode_png, decode_png}}};
+constexpr std::array<ImageFormat, 4> kFormats = {{{".exr", encode_exr, decode_exr},
+                                                  {".png", encode_png, decode_png},
+                                                  {".jpg", nullptr, decode_jpeg},
+                                                  {".jpeg", nullptr, decode_jpeg}}};
 
-}  // namespace
-
-const ImageFormat& image_format(const std::string& path)
+// Null for a suffix that is none of a format's.
+const ImageFormat* find_format(const std::string& path)
 {
     std::string suffix = std::filesystem::path(path).extension().string();
     for (char& c : suffix) {
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     }
-    const auto* found =
-        std::find_if(kFormats.begin(), kFormats.end(),
-                     [&](const ImageFormat& format) { return format.suffix == suffix; });
-    if (found == kFormats.end()) {
-        throw Error(Fault::input, path + ": unknown picture format; use .exr or .png");
+    for (const ImageFormat& format : kFormats) {
+        if (format.suffix == suffix) return &format;
     }
-    return *found;
+    return nullptr;
+}
+
+}  // namespace
+
+const ImageFormat& format_to_read(const std::string& path)
+{
+    if (const ImageFormat* format = find_format(path)) return *format;
+    throw Error(Fault::input, path + ": unknown picture format; use .exr, .png or .jpg");
+}
+
+const ImageFormat& format_to_write(const std::string& path)
+{
+    const ImageFormat* format = find_format(path);
+    if (format != nullptr && format->encode != nullptr) return *format;
+    throw Error(Fault::input, path + ": unknown picture format; use .exr or .png");
 }
 
 }  // namespace sheer

@@ -10,7 +10,7 @@ namespace sheer {
 
 Image read_image(const std::string& path)
 {
-    const ImageFormat& format = image_format(path);
+    const ImageFormat& format = format_to_read(path);
     const Bytes bytes = read_file(path);
     return format.decode(std::as_bytes(std::span(bytes)), path);
 }

@@ -25,7 +25,7 @@ void write_channels(const std::string& path, int width, int height, const Channe
 
 void check_channels_path(const std::string& path)
 {
-    if (image_format(path).suffix != ".exr") {
+    if (format_to_write(path).suffix != ".exr") {
         throw Error(Fault::input, path + ": channels go into an .exr file");
     }
     check_writable(path);

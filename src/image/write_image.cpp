@@ -8,12 +8,12 @@ namespace sheer {
 
 void write_image(const std::string& path, const Image& image)
 {
-    write_whole_file(path, image_format(path).encode(image));
+    write_whole_file(path, format_to_write(path).encode(image));
 }
 
 void check_image_path(const std::string& path)
 {
-    image_format(path);
+    format_to_write(path);
     check_writable(path);
 }
 

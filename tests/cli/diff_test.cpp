@@ -155,7 +155,8 @@ TEST_F(Diff, RefusesInputThatIsWrong)
 {
     expect_refused({"diff", "missing.exr", "a.exr"}, "missing.exr: no such file");
     expect_refused({"diff", "a.exr", "missing.png"}, "missing.png: no such file");
-    expect_refused({"diff", "a.gif", "a.exr"}, "a.gif: unknown picture format; use .exr or .png");
+    expect_refused({"diff", "a.gif", "a.exr"},
+                   "a.gif: unknown picture format; use .exr, .png or .jpg");
     expect_refused({"diff", "a.exr", "small.exr"}, "small.exr: 2x2 pixels, but a.exr has 4x2");
     expect_refused({"diff", "a.exr"}, "B is required; see 'sheer diff --help'");
     expect_refused({"diff", "a.exr", "b.exr", "c.exr"},

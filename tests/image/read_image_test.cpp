@@ -10,6 +10,8 @@
 #include <sheer/error.h>
 
 #include "../support/test_folder.h"
+#include "image/color.h"
+#include "image/jpeg_file.h"
 #include "image/write_image.h"
 
 namespace sheer {
@@ -53,12 +55,44 @@ TEST(ReadImage, ReadsWhatWriteImageWrote)
     EXPECT_EQ(text_of(folder.file("again.png")), text_of(folder.file("a.png")));
 }
 
+// Two blocks, of which the second is cut off.
+jpeg_file::Bytes jpeg()
+{
+    return jpeg_file::make_jpeg({11, 5, JCS_RGB, JCS_RGB, {{200, 100, 50, 0}, {255, 0, 128, 0}}});
+}
+
+void write_bytes(const std::string& path, const jpeg_file::Bytes& bytes)
+{
+    std::ofstream(path, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()),
+               static_cast<std::streamsize>(bytes.size()));
+}
+
+TEST(ReadImage, ReadsJpegsAsOpaqueSrgb)
+{
+    const TestFolder folder;
+    const auto linear = [](int v) { return static_cast<float>(linear_from_srgb(v / 255.0)); };
+    for (const std::string name : {"a.jpg", "a.JPEG"}) {
+        write_bytes(folder.file(name), jpeg());
+        const Image read = read_image(folder.file(name));
+        ASSERT_EQ(read.width, 11);
+        ASSERT_EQ(read.height, 5);
+        for (std::size_t i = 0; i < read.pixels.size(); ++i) {
+            const bool first = i % 11 < 8;
+            EXPECT_EQ(read.pixels[i],
+                      (std::array<float, 4>{linear(first ? 200 : 255), linear(first ? 100 : 0),
+                                            linear(first ? 50 : 128), 1}))
+                << i;
+        }
+    }
+}
+
 TEST(ReadImage, NamesWhatIsWrong)
 {
     const TestFolder folder;
-    for (const std::string name : {"a.jpg", "a", "a.png.txt", ".png"}) {
+    for (const std::string name : {"a.gif", "a", "a.png.txt", ".png"}) {
         const std::string path = folder.file(name);
-        EXPECT_EQ(complaint_about(path), path + ": unknown picture format; use .exr or .png");
+        EXPECT_EQ(complaint_about(path), path + ": unknown picture format; use .exr, .png or .jpg");
     }
     for (const std::string name : {"missing.exr", "missing.png", "missing/a.png"}) {
         const std::string path = folder.file(name);
@@ -87,6 +121,14 @@ TEST(ReadImage, RefusesOtherContent)
         const std::string path = folder.file("a.png");
         std::ofstream(path, std::ios::binary) << content;
         EXPECT_EQ(complaint_about(path).rfind(path + ": not a readable PNG file: ", 0), 0u);
+    }
+    jpeg_file::Bytes half = jpeg();
+    half.resize(half.size() / 2);
+    for (const jpeg_file::Bytes& content :
+         {jpeg_file::Bytes(), jpeg_file::Bytes(png.begin(), png.end()), half}) {
+        const std::string path = folder.file("a.jpg");
+        write_bytes(path, content);
+        EXPECT_EQ(complaint_about(path).rfind(path + ": not a readable JPEG file: ", 0), 0u);
     }
 }
 
