@@ -186,9 +186,9 @@ std::string meaning_help()
             {"  error map", "the root mean square of each pixel's channels: black is 0, by violet"},
             {"", "and orange to pale yellow, which is the number printed, or more"},
         }};
-    return "What is printed, in linear, premultiplied colour times 255, not clamped; of .png "
-           "files,\n"
-           "which are sRGB, after decoding; alpha counts for 'identical' alone:\n" +
+    return "What is printed, in linear, premultiplied colour times 255, not clamped; of .png\n"
+           "and .jpg files, which are sRGB, after decoding, as they lie in the file; alpha\n"
+           "counts for 'identical' alone:\n" +
            table.text() + "\nThe exit code is 0 however much the pictures differ.\n";
 }
 

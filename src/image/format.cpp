@@ -42,8 +42,13 @@ const ImageFormat& format_to_read(const std::string& path)
 const ImageFormat& format_to_write(const std::string& path)
 {
     const ImageFormat* format = find_format(path);
-    if (format != nullptr && format->encode != nullptr) return *format;
-    throw Error(Fault::input, path + ": unknown picture format; use .exr or .png");
+    if (format == nullptr) {
+        throw Error(Fault::input, path + ": unknown picture format; use .exr or .png");
+    }
+    if (format->encode == nullptr) {
+        throw Error(Fault::input, path + ": JPEG files are only read; use .exr or .png");
+    }
+    return *format;
 }
 
 }  // namespace sheer

@@ -172,7 +172,7 @@ TEST_F(Diff, RefusesOutputThatIsWrong)
     }
     // Before the pictures are read.
     expect_refused({"diff", "missing.exr", "a.exr", "-o", "a.jpg"},
-                   "a.jpg: unknown picture format; use .exr or .png");
+                   "a.jpg: JPEG files are only read; use .exr or .png");
     expect_refused({"diff", "missing.exr", "a.exr", "-o", "no/a.png"},
                    "no/a.png: the directory 'no' does not exist");
     expect_refused({"diff", "a.exr", "b.exr", "-o", ""},

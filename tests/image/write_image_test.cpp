@@ -65,11 +65,16 @@ TEST(WriteImage, SamePictureGivesTheSameFile)
 TEST(WriteImage, RefusesOtherFormats)
 {
     const TestFolder folder;
-    for (const std::string name : {"a.jpg", "a", "a.png.txt", ".png", "exr"}) {
-        const std::string path = folder.file(name);
-        const std::string text = path + ": unknown picture format; use .exr or .png";
+    const auto expect_refusal = [&](const std::string& name, const std::string& why) {
+        const std::string path = folder.file(name), text = path + ": " + why + "; use .exr or .png";
         expect_error(Fault::input, text, [&] { write_image(path, picture()); });
         expect_error(Fault::input, text, [&] { check_image_path(path); });
+    };
+    for (const std::string name : {"a.gif", "a", "a.png.txt", ".png", "exr"}) {
+        expect_refusal(name, "unknown picture format");
+    }
+    for (const std::string name : {"a.jpg", "a.JPEG"}) {
+        expect_refusal(name, "JPEG files are only read");
     }
     EXPECT_EQ(folder.entries(), 0);
 }
