@@ -79,12 +79,14 @@ void print_tables(const BenchRequest& request, const std::vector<Setting>& setti
         "medians of " + counted(static_cast<std::uint64_t>(request.repeat), "round") + "\n\n";
     const std::string source = one_line(request.scene.source) + ": ";
     if (request.over) {
-        print(source + rounds + scaling_table({request.over->axis, settings, timings}));
+        print(source + rounds +
+              scaling_table({request.over->axis, settings, timings, request.methods}));
         return;
     }
     const Stats& any = timings.front().stats;
     print(source + size_text(any.width, any.height) + ", " + counted(any.triangles, "triangle") +
-          ", " + counted(any.fragments, "fragment") + ", " + rounds + bench_table(timings));
+          ", " + counted(any.fragments, "fragment") + ", " + rounds +
+          bench_table(timings, request.methods));
 }
 
 void run_bench(const BenchRequest& request, const CLI::App& command)
@@ -102,7 +104,10 @@ void run_bench(const BenchRequest& request, const CLI::App& command)
     }
     Json json = {{"scene", request.scene.source}, {"results", bench_rows(timings)}};
     if (request.over) {
-        json["scaling"] = scaling_json({request.over->axis, settings, timings});
+        json["scaling"] = scaling_json({request.over->axis, settings, timings, request.methods});
+        for (std::size_t i = 0; i < timings.size(); ++i) {
+            json["results"][i]["layers"] = settings[i / request.methods.size()].layers;
+        }
     }
     print(json_text(json));
 }

@@ -54,6 +54,7 @@ struct Scaling {
     Axis axis;
     std::span<const Setting> settings;
     std::span<const Timing> timings;
+    std::span<const std::string> methods;  // as they were asked for
 };
 
 std::string scaling_table(const Scaling& scaling);

@@ -40,27 +40,25 @@ double mfragments_per_s_per_thread(const Stats& stats)
     return static_cast<double>(stats.fragments) / (stats.ms_total * 1e3 * stats.threads);
 }
 
-std::string title_of(const Stats& stats)
-{
-    return stats.method + (stats.parameters.empty() ? "" : ":") + stats.parameters;
-}
-
-std::string stages_table(const std::vector<Timing>& timings)
+std::string stages_table(const std::vector<Timing>& timings,
+                         const std::vector<std::string>& methods)
 {
     TextTable table{.left = 1, .last_is_prose = false, .rows = {}};
     table.rows = {{"", "", "", "", "total", "", "geometry", "ns a", "raster+shade", "ns a",
                    "store ns", "resolve", "Mfrag./s", "x", "x"},
                   {"method", "S", "threads", "simd", "ms", "min..max", "ms", "triangle", "ms",
                    "fragment", "a fragm.", "ms", "a thread", "blend", "base"}};
-    for (const Timing& timing : timings) {
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+        const Timing& timing = timings[i];
         const Stats& s = timing.stats;
-        table.rows.push_back(
-            {title_of(s), std::to_string(s.samples), std::to_string(s.threads), s.simd,
-             fixed(s.ms_total, 2), fixed(timing.total_min, 2) + ".." + fixed(timing.total_max, 2),
-             fixed(s.ms_geometry, 2), fixed(ns_per_triangle(s), 1), fixed(s.ms_raster_shade, 2),
-             fixed(ns_raster_shade(s), 2), fixed(ns_store(s), 2), fixed(s.ms_resolve, 2),
-             fixed(mfragments_per_s_per_thread(s), 1), fixed(timing.ratio_to_blend, 2),
-             fixed(timing.ratio_to_base, 2)});
+        table.rows.push_back({methods[i % methods.size()], std::to_string(s.samples),
+                              std::to_string(s.threads), s.simd, fixed(s.ms_total, 2),
+                              fixed(timing.total_min, 2) + ".." + fixed(timing.total_max, 2),
+                              fixed(s.ms_geometry, 2), fixed(ns_per_triangle(s), 1),
+                              fixed(s.ms_raster_shade, 2), fixed(ns_raster_shade(s), 2),
+                              fixed(ns_store(s), 2), fixed(s.ms_resolve, 2),
+                              fixed(mfragments_per_s_per_thread(s), 1),
+                              fixed(timing.ratio_to_blend, 2), fixed(timing.ratio_to_base, 2)});
     }
     return table.text();
 }
@@ -77,16 +75,18 @@ std::vector<std::string> all_passes(const std::vector<Timing>& timings)
     return names;
 }
 
-std::string passes_table(const std::vector<Timing>& timings)
+std::string passes_table(const std::vector<Timing>& timings,
+                         const std::vector<std::string>& methods)
 {
     const std::vector<std::string> names = all_passes(timings);
     TextTable table{.left = 1, .last_is_prose = false, .rows = {{"ms of passes", "S"}}};
     std::vector<std::string>& heads = table.rows.front();
     heads.insert(heads.end(), names.begin(), names.end());
     heads.insert(heads.end(), {"resolve", "base", "opaque alone"});
-    for (const Timing& timing : timings) {
+    for (std::size_t i = 0; i < timings.size(); ++i) {
+        const Timing& timing = timings[i];
         const Stats& s = timing.stats;
-        std::vector<std::string> row = {title_of(s), std::to_string(s.samples)};
+        std::vector<std::string> row = {methods[i % methods.size()], std::to_string(s.samples)};
         for (const std::string& name : names) {
             const auto pass = std::ranges::find(s.ms_passes, name, &PassTime::name);
             row.push_back(pass == s.ms_passes.end() ? "" : fixed(pass->ms, 2));
@@ -101,9 +101,9 @@ std::string passes_table(const std::vector<Timing>& timings)
 
 }  // namespace
 
-std::string bench_table(const std::vector<Timing>& timings)
+std::string bench_table(const std::vector<Timing>& timings, const std::vector<std::string>& methods)
 {
-    return stages_table(timings) + "\n" + passes_table(timings);
+    return stages_table(timings, methods) + "\n" + passes_table(timings, methods);
 }
 
 Json bench_rows(const std::vector<Timing>& timings)

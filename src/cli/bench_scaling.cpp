@@ -38,6 +38,7 @@ double amount_of(Axis axis, const Setting& setting, const Stats& stats)
 
 // One method along the axis.
 struct Curve {
+    std::string name;
     std::vector<const Timing*> timings;
     std::vector<double> x;
 
@@ -58,16 +59,12 @@ std::vector<Curve> curves_of(const Scaling& scaling)
     for (std::size_t i = 0; i < scaling.timings.size(); ++i) {
         const Timing& timing = scaling.timings[i];
         Curve& curve = curves[i % curves.size()];
+        curve.name = scaling.methods[i % curves.size()];
         curve.timings.push_back(&timing);
         curve.x.push_back(
             amount_of(scaling.axis, scaling.settings[i / curves.size()], timing.stats));
     }
     return curves;
-}
-
-std::string title_of(const Stats& stats)
-{
-    return stats.method + (stats.parameters.empty() ? "" : ":") + stats.parameters;
 }
 
 std::string times_table(const Scaling& scaling, const std::vector<Curve>& curves)
@@ -81,7 +78,7 @@ std::string times_table(const Scaling& scaling, const std::vector<Curve>& curves
             const Stats& s = curve.timings[i]->stats;
             const double rate = static_cast<double>(s.fragments) / (s.ms_total * 1e3 * s.threads);
             table.rows.push_back(
-                {i == 0 ? title_of(s) : "", scaling.settings[i].value, with_commas(s.fragments),
+                {i == 0 ? curve.name : "", scaling.settings[i].value, with_commas(s.fragments),
                  fixed(curve.timings[i]->ms_raster_store, 2), fixed(s.ms_resolve, 2),
                  fixed(s.ms_total, 2), fixed(s.ms_total / first, 3), fixed(rate, 1)});
         }
@@ -97,7 +94,7 @@ std::string exponents_table(const Scaling& scaling, const std::vector<Curve>& cu
         table.rows.back().insert(table.rows.back().end(), {part.title, "+-"});
     }
     for (const Curve& curve : curves) {
-        std::vector<std::string> row = {title_of(curve.timings.front()->stats)};
+        std::vector<std::string> row = {curve.name};
         for (const Part& part : kParts) {
             const PowerLaw law = curve.fit(part);
             row.insert(row.end(), {fixed(law.exponent, 3), fixed(law.error, 3)});

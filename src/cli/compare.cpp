@@ -230,9 +230,9 @@ ReportPictures write_pictures(const CompareRequest& request, const Result& resul
 {
     const auto in_folder = [&](const std::string& name) { return request.folder + "/" + name; };
     ReportPictures pictures;
-    for (const Compared& c : result.all) {
-        pictures.scale = std::max(pictures.scale, error_scale(c.image, result.truth));
-    }
+    std::vector<double> scales;
+    for (const Compared& c : result.all) scales.push_back(error_scale(c.image, result.truth));
+    pictures.scale = shared_scale(std::move(scales));
     write_image(in_folder("truth.exr"), result.truth);
     pictures.truth = write_png(in_folder("truth.png"), result.truth);
     for (const Compared& c : result.all) {
@@ -301,7 +301,7 @@ void run_compare(CompareRequest request)
                        : metrics_table(rows) + "\n" + one_line(request.folder) +
                              ": report.html, metrics.json, metrics.csv, pictures, error maps "
                              "(black 0 to yellow " +
-                             fixed(scale, scale < 1 ? 3 : 0) + ")\n");
+                             fixed(scale, scale < 1 ? 3 : 0) + " or more)\n");
 }
 
 void add_own_options(CLI::App& command, CompareRequest& request)
@@ -340,6 +340,10 @@ constexpr const char* kMeaning =
     "of\n"
     "               such opacity, of such gaps between layers\n"
     "  x blend      total time over that of 'blend'; 'sheer bench' measures times better\n"
+    "  peak memory  in metrics.json and the report: of the process, in which all methods are "
+    "drawn\n"
+    "               together; 'sheer bench' has each method's\n"
+    "Error maps show a pixel's 'rmse' in the first seed, all on the scale of the middle method's.\n"
     "With --frames those are of the last one, without --taa. Of all of them, as they are shown:\n"
     "  rmse frames  root mean square against the truth of each\n"
     "  flicker      the same of the change from frame to frame, less that of the truth\n"

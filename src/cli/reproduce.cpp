@@ -1,4 +1,5 @@
 // sheer reproduce: the papers' tables and figures.
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -59,7 +60,8 @@ void check_is_folder(const std::string& path)
 
 void run_reproduce(ReproduceRequest request)
 {
-    if (request.names == std::vector<std::string>{"list"}) {
+    if (std::ranges::find(request.names, "list") != request.names.end()) {
+        if (request.names.size() > 1) throw Error(Fault::input, "NAME: 'list' stands alone");
         print(list_text());
         return;
     }
@@ -101,7 +103,7 @@ void add_reproduce_command(CLI::App& tool)
         ->add_option("NAME", request->names,
                      "What to make: names, 'all', or 'list' to see what there is")
         ->required();
-    add_value(*command, "-o,--output", "DIR", "A folder for the results, made if missing",
+    add_value(*command, "-o,--output", "DIR", "A folder for the results, made if missing; required",
               [request](auto&, auto& text) { request->job.folder = text; });
     add_value(*command, "--scenes", "DIR",
               "Scene files for 'continuum-table', which takes five glTF files below it",

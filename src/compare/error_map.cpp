@@ -125,4 +125,13 @@ double error_scale(const Image& a, const Image& b)
     return round_up_to_1_2_5(*last);
 }
 
+double shared_scale(std::vector<double> scales)
+{
+    std::erase(scales, 0);
+    if (scales.empty()) return 0;
+    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+    std::nth_element(scales.begin(), middle, scales.end());
+    return *middle;
+}
+
 }  // namespace sheer

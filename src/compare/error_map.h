@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 #include <sheer/image.h>
 
@@ -23,8 +24,12 @@ Image error_map(const Image& a, const Image& b, double scale);
 std::span<const std::array<double, 3>> error_colors();
 
 // A scale for that: 1, 2 or 5 times a power of ten, the least that leaves at most one in a thousand
-// of the differing pixels above it; 0 where none differs. Several maps share the largest of theirs.
+// of the differing pixels above it; 0 where none differs.
 double error_scale(const Image& a, const Image& b);
+
+// One for several maps of these scales: the middle one of those that are not 0 (the larger of two;
+// 0 if there are none), so that a method that is far off does not leave the others' maps black.
+double shared_scale(std::vector<double> scales);
 
 // The same colours for errors that were measured otherwise, as FLIP's from 0 to 1.
 Image error_map(const FlipErrors& flip);

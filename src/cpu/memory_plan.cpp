@@ -27,7 +27,7 @@ constexpr std::size_t kMostStore = 512 * kMiB;
 [[noreturn]] void refuse(std::uint64_t limit, std::uint64_t needed)
 {
     throw Error(Fault::work, "memory-limit: " + std::to_string(limit / kMiB) +
-                                 " MiB are too little for this scene and picture; " +
+                                 " MiB are too little for this scene and picture; at least " +
                                  std::to_string((needed + kMiB - 1) / kMiB) + " MiB are needed");
 }
 

@@ -110,6 +110,10 @@ TEST(BenchOver, RowsAreOfTheSettings)
         EXPECT_EQ(row.at("width"), 200);
     }
     EXPECT_FALSE(parse_json(output_of({"--size", "9x7", "--json"})).contains("scaling"));
+    const Json layers = parse_json(output_of({"--over", "layers=1,3", "--size", "9x7", "--json"}));
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(layers.at("results").at(i).at("layers"), i < 2 ? 1 : 3);
+    }
 }
 
 TEST(BenchOver, SizesEndInTheGivenOne)

@@ -232,6 +232,8 @@ TEST(ToolOutput, BenchTellsPassesApart)
     EXPECT_GT(row.at("ms_opaque"), 0);  // skin, eyes and floor
     const std::string table = output_of(tool, words);
     for (const std::string& name : names) EXPECT_NE(table.find("  " + name), std::string::npos);
+    // As it was asked for, without what the method's other parameters are.
+    EXPECT_NE(table.find("\nstochastic:depth-based=on:correction=on  "), std::string::npos);
 }
 
 // Nothing covers a pixel of this picture: counts are 0, and what is divided by them is no number.

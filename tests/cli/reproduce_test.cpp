@@ -46,6 +46,11 @@ TEST(CliReproduce, RefusesInOneLine)
     EXPECT_EQ(error({"nothing", "-o", "out"}),
               "sheer: there is no table or figure 'nothing'; 'sheer reproduce list' names all "
               "there are\n");
+    for (const auto& [typed, meant] : {std::pair{"lst", "list"}, {"All", "all"}}) {
+        EXPECT_NE(error({typed, "-o", "out"}).find("did you mean '" + std::string(meant) + "'?"),
+                  std::string::npos);
+    }
+    EXPECT_EQ(error({"list", "all", "-o", "out"}), "sheer: NAME: 'list' stands alone\n");
     EXPECT_EQ(error({"stochastic-examples"}), "sheer: --output is required\n");
     EXPECT_EQ(error({"stochastic-examples", "nothing", "-o", "out"}),
               "sheer: there is no table or figure 'nothing'; 'sheer reproduce list' names all "

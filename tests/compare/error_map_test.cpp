@@ -170,5 +170,14 @@ TEST(ErrorScale, LooksPastWhatIsNoNumber)
     EXPECT_EQ(error_scale(a, grey(4, 1, 0)), 100);
 }
 
+TEST(ErrorMap, MapsShareTheMiddleScale)
+{
+    EXPECT_EQ(shared_scale({}), 0);
+    EXPECT_EQ(shared_scale({0, 0}), 0);
+    EXPECT_EQ(shared_scale({5}), 5);
+    EXPECT_EQ(shared_scale({5, 0.2}), 5);
+    EXPECT_EQ(shared_scale({500, 0.2, 0, 2}), 2);
+}
+
 }  // namespace
 }  // namespace sheer

@@ -8,29 +8,34 @@ const budgets = {chart: null};
 
 const methodsOf = (rows) => [...new Set(rows.map((row) => row.method))];
 
-// Powers of two, and one and a half times these unless there are too many, from the least cost to
-// the greatest: of the first, one result or more is within it, and within the last all are.
+// Powers of two and equal steps between them, the most that are not too many, from the least cost
+// to the greatest: of the first, one result or more is within it, and within the last all are.
 function budgetsFor(costs) {
   const least = Math.min(...costs.filter((cost) => cost > 0)), most = Math.max(...costs);
   if (!Number.isFinite(least)) return [];
   const between = (steps) => {
     const list = [];
     for (let e = Math.floor(Math.log2(least)); list.length === 0 || list.at(-1) < most; ++e) {
-      for (const step of steps) {
-        const budget = step * 2 ** e;
+      for (let i = 0; i < steps; ++i) {
+        const budget = (1 + i / steps) * 2 ** e;
         if (budget >= least && !(list.at(-1) >= most)) list.push(budget);
       }
     }
     return list;
   };
-  const all = between([1, 1.5]);
-  return all.length > MOST_BUDGETS ? between([1]) : all;
+  const some = [8, 4, 2].map(between).find((list) => list.length <= MOST_BUDGETS);
+  return some || between(1);
 }
+
+// Less error as it is shown, or as much for less.
+const isBetter = (x, y, a, b) =>
+    shownValue(y, a) < shownValue(y, b) ||
+    (shownValue(y, a) === shownValue(y, b) && x.value(a) < x.value(b));
 
 // Of rows of one method; none where all cost more.
 function bestWithin(rows, x, y, budget) {
   const within = rows.filter((row) => x.value(row) <= budget);
-  return within.reduce((best, row) => (!best || y.value(row) < y.value(best) ? row : best), null);
+  return within.reduce((best, row) => (!best || isBetter(x, y, row, best) ? row : best), null);
 }
 
 function budgetTable() {
@@ -42,20 +47,20 @@ function budgetTable() {
     return {method, rows, best: limits.map((budget) => bestWithin(rows, x, y, budget))};
   });
   const winners = limits.map((_, i) => lines.map((line) => line.best[i]).filter(Boolean)
-      .reduce((a, b) => (y.value(b) < y.value(a) ? b : a)));
+      .reduce((a, b) => (isBetter(x, y, b, a) ? b : a)));
   const last = (line) => line.best.findLast(Boolean);
   lines.sort((a, b) => y.value(last(a)) - y.value(last(b)));
   return {x, y, limits, lines, winners};
 }
 
-const budgetText = (budget) => String(Number(budget.toPrecision(4)));
+const budgetText = (budget) => String(Number(budget.toPrecision(9)));
 
 const valueText = (column, row) =>
     `${column.title} ${numberText(column.value(row), column.digits)}`;
 
 function budgetRow({y, winners}, line) {
   return make('tr', {}, make('th', {scope: 'row'}, line.method), ...line.best.map((row, i) => {
-    const best = row !== null && y.value(row) === y.value(winners[i]);
+    const best = row !== null && shownValue(y, row) === shownValue(y, winners[i]);
     return make('td', {className: best ? 'best' : '', title: row ? row.label : ''},
                 row ? numberText(y.value(row), y.digits) : '–');
   }));
@@ -80,7 +85,7 @@ function budgetLines({x, y, limits, lines, winners}) {
   const winning = methodsOf(winners);
   return lines.map((line) => {
     const place = winning.indexOf(line.method);
-    const front = paretoFront(line.rows, x.value, y.value);
+    const front = paretoFront(line.rows, x, y);
     const points = front.map((row) => ({x: Math.max(x.value(row), lowX),
                                         y: Math.max(y.value(row), lowY), row}));
     points.push({...points.at(-1), x: limits.at(-1)});

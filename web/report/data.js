@@ -77,13 +77,17 @@ const columnOf = (id) => columns.find((column) => column.id === id);
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 const numberText = (value, digits) => (isNumber(value) ? value.toFixed(digits) : '–');
 
+// Rounded as it is shown: what differs by less than can be seen is no better.
+const shownValue = (column, row) => Number(numberText(column.value(row), column.digits));
+
 // Those that no other beats in both: by rising cost, each with less error than all before it.
 function paretoFront(rows, cost, error) {
-  const known = rows.filter((row) => isNumber(cost(row)) && isNumber(error(row)));
-  known.sort((a, b) => cost(a) - cost(b) || error(a) - error(b));
+  const known = rows.filter((row) => isNumber(cost.value(row)) && isNumber(error.value(row)));
+  const of = (row) => shownValue(error, row);
+  known.sort((a, b) => cost.value(a) - cost.value(b) || of(a) - of(b));
   const front = [];
   for (const row of known) {
-    if (front.length === 0 || error(row) < error(front[front.length - 1])) front.push(row);
+    if (front.length === 0 || of(row) < of(front.at(-1))) front.push(row);
   }
   return front;
 }

@@ -59,7 +59,7 @@ function drawPlot(onPick) {
   const x = columnOf(byId('chart-x').value), y = columnOf(byId('chart-y').value);
   const logarithmic = byId('chart-log').checked;
   const known = data.results.filter((row) => isNumber(x.value(row)) && isNumber(y.value(row)));
-  const front = paretoFront(known, x.value, y.value);
+  const front = paretoFront(known, x, y);
   plot.front = front.map((row) => row.key);
   byId('front').textContent = `◆ Nothing else has both less ${y.title} and less ${x.title}: ` +
       `${front.map((row) => row.label).join('; ')}.` +

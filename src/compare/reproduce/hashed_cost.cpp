@@ -107,16 +107,17 @@ void reproduce_hashed_cost(const ReproduceEntry& entry, const ReproduceJob& job)
              " pixels, one sample at the centre, total times, medians of " +
              std::to_string(rounds) +
              " rounds in turns; ratios are of times of the same round. In the paper, on a GeForce "
-             "GTX 1080: hashed 1.02 to 1.36, stochastic 1.41 to 4.53 times as long as an alpha "
-             "test, which synchronises on a texture of seeds.");
+             "GTX 1080: hashed 1.02 to 1.36 times as long as an alpha test; stochastic, which "
+             "synchronises on a texture of seeds there, 1.41 to 4.53 times.");
     page.add(table);
     // Table 1's ten rows: 0.08 / 0.06 to 5.28 / 5.19, and 0.20 / 0.06 to 7.30 / 5.19.
-    page.compare(
-        {"a tenth, which is what the printed times of some scenes are rounded by",
-         {{"hashed, times as long as an alpha test, median of ten scenes", "1.17", median(all[2]),
-           0.1, "other scenes on a processor: the threshold is little beside their shading"},
-          {"stochastic, the same", "3.69", median(all[3]), 0.369,
-           "the paper's waits for a texture of seeds; numbers are hashed here"}}});
+    page.compare({"a tenth, which is what the printed times of some scenes are rounded by",
+                  {{"hashed, times as long as an alpha test, median of " +
+                        std::to_string(scenes.size()) + " scenes",
+                    "1.17", median(all[2]), 0.1,
+                    "other scenes on a processor: the threshold is little beside their shading"},
+                   {"stochastic, the same", "3.69", median(all[3]), 0.369,
+                    "the paper's waits for a texture of seeds; numbers are hashed here"}}});
     page.add({"Median over the scenes",
               {"hashed, isotropic", "hashed", "stochastic"},
               {{number(median(all[1]), 3), number(median(all[2]), 3), number(median(all[3]), 3)}}});

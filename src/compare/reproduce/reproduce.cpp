@@ -172,6 +172,7 @@ const ReproduceEntry& find_reproduce_entry(const std::string& name)
     if (found != std::end(kEntries)) return *found;
     std::vector<std::string> names;
     for (const ReproduceEntry& entry : kEntries) names.emplace_back(entry.name);
+    names.insert(names.end(), {"all", "list"});
     throw Error(Fault::input, "there is no table or figure '" + name + "'" +
                                   suggestion(name, names) +
                                   "; 'sheer reproduce list' names all there are");
