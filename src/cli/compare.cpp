@@ -340,16 +340,15 @@ constexpr const char* kMeaning =
     "of\n"
     "               such opacity, of such gaps between layers\n"
     "  x blend      total time over that of 'blend'; 'sheer bench' measures times better\n"
-    "  peak memory  in metrics.json and the report: of the process, in which all methods are "
-    "drawn\n"
-    "               together; 'sheer bench' has each method's\n"
-    "Error maps show a pixel's 'rmse' in the first seed, all on the scale of the middle method's.\n"
+    "  peak memory  in metrics.json and the report: of the process, which draws all methods\n"
+    "               together; 'sheer bench --json' has it of each method\n"
     "With --frames those are of the last one, without --taa. Of all of them, as they are shown:\n"
     "  rmse frames  root mean square against the truth of each\n"
     "  flicker      the same of the change from frame to frame, less that of the truth\n"
     "  ghosting     of the part of the error that is a sum of multiples of C_(t-k) - C_t, with C_t "
     "the\n"
     "               truth in frame t and k = 1, 2, 4, 8: what was there before and still shows\n"
+    "Error maps show the 'rmse' of each pixel, first seed, on the scale of the middle result's.\n"
     "Bias and noise of a random method are unknown (-, null) with one seed.\n";
 
 std::string usual_help()

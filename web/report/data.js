@@ -77,7 +77,7 @@ const columnOf = (id) => columns.find((column) => column.id === id);
 const isNumber = (value) => typeof value === 'number' && Number.isFinite(value);
 const numberText = (value, digits) => (isNumber(value) ? value.toFixed(digits) : '–');
 
-// Rounded as it is shown: what differs by less than can be seen is no better.
+// Rounded as it is shown: an error that is less by less than can be seen is no better.
 const shownValue = (column, row) => Number(numberText(column.value(row), column.digits));
 
 // Those that no other beats in both: by rising cost, each with less error than all before it.
