@@ -146,16 +146,19 @@ struct Seen {
     View view;
 };
 
-Seen seen_by_sky(const EntryScene& source, const ReproduceJob& job)
+Seen seen_by_sky(const EntryScene& source, const ReproduceJob& job, int width)
 {
     Seen seen{load(source.of(job)), {}};
     light_by_sky(seen.scene);
-    seen.view.width = job.quick ? 40 : 320;
-    seen.view.height = job.quick ? 30 : 240;
+    seen.view.width = job.quick ? 40 : width;
+    seen.view.height = seen.view.width * 3 / 4;
     seen.view.samples = 1;
     seen.view.positions = SamplePositions::center;
     return seen;
 }
+
+// A truth of a thousand rays a pixel takes minutes at the size that is good to look at.
+constexpr int kMeasured = 160, kShown = 320;
 
 // Over all pixels, of red, green and blue: the mean of differences, or the root of their squares'.
 double mean_change(const Image& a, const Image& b)
@@ -195,7 +198,7 @@ void measure_motion(const ReproduceJob& job, Page& page)
                 {}};
     const AmbientOcclusion truth = rays(kWays[2], job.quick ? 16 : 64);
     for (const EntryScene& source : scenes_of(job)) {
-        const Seen seen = seen_by_sky(source, job);
+        const Seen seen = seen_by_sky(source, job, kMeasured);
         const auto moves = job.quick ? std::vector{0.0, 0.25} : std::vector{0.0, 0.125, 0.25, 0.5};
         for (const double pixels : moves) {
             std::vector<double> changes;
@@ -220,7 +223,7 @@ void measure_rays(const ReproduceJob& job, Page& page)
                 {}};
     const std::vector<int> counts = job.quick ? std::vector{1, 4} : std::vector{1, 4, 16, 64};
     for (const EntryScene& source : scenes_of(job)) {
-        Seen seen = seen_by_sky(source, job);
+        Seen seen = seen_by_sky(source, job, kMeasured);
         const auto draw = [&](const AmbientOcclusion& occlusion, Options options) {
             seen.view.ambient_occlusion = occlusion;
             options.method = "hashed-alpha-test";
@@ -249,7 +252,7 @@ void measure_rays(const ReproduceJob& job, Page& page)
 void show_figure(const ReproduceJob& job, Page& page)
 {
     for (const EntryScene& source : scenes_of(job)) {
-        Seen seen = seen_by_sky(source, job);
+        Seen seen = seen_by_sky(source, job, kShown);
         std::vector<Image> whole, parts;
         const int width = seen.view.width / 8, height = seen.view.height / 8;
         const Crop crop{seen.view.width / 2 - width, seen.view.height / 2, width, height};
