@@ -223,8 +223,7 @@ Rgb Casters::transmittance(const RayStart& start, const Vec3d& to_light, double 
         const Caster& caster = casters_[hit.triangle];
         if (caster.primitive == start.primitive) return true;
         if (!drawn_[caster.object].double_sided) {
-            const TriangleCorners& t = tree_.corners(hit.triangle);
-            const double facing = dot(cross(t[1] - t[0], t[2] - t[0]), to_light);
+            const double facing = dot(tree_.normal(hit.triangle), to_light);
             // The side that the light doesn't see lets it pass, as it lets the eye.
             if ((facing > 0) == mirrored_[caster.object]) return true;
         }
