@@ -206,7 +206,10 @@ struct Stats {
     int threads = 0;
     std::uint64_t seed = 0;
     std::uint64_t triangles = 0;  // submitted
-    std::uint64_t fragments = 0;  // transparent, covered at one visible sample or more
+    // Transparent, covered at one visible sample or more. Of methods whose nearest fragments hide
+    // the others, those that are found hidden before they are shaded count whatever their opacity,
+    // which is not known then.
+    std::uint64_t fragments = 0;
     int passes = 1;
     double frames_per_pixel = 1;  // averaged or thrown away
     double bytes_per_pixel = 0;   // of the method's store

@@ -11,6 +11,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
+#include "cpu/hidden-inl.h"
 #include "cpu/levels-inl.h"
 #include "cpu/places-inl.h"
 #include "cpu/triangle_batch-inl.h"
@@ -77,6 +78,8 @@ inline void cover_by_sample(Tile& tile, std::size_t k, CoverageList& list, int m
             ++list.count;
         }
         batch.begin[k + 1] = list.count;
+        // Those of the sample before may have been rearranged.
+        std::fill_n(batch.owner, list.count - batch.begin[k], static_cast<std::uint32_t>(k));
         if (batch.begin[k] < list.count) finish(k, k + 1, list);
     }
 }
@@ -195,7 +198,7 @@ inline void keep_visible(Tile& tile, FragmentRun& run, int to)
 HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const CoverageList& list)
 {
     FragmentStream& s = tile.stream;
-    const TriangleBatch& batch = tile.batch;
+    TriangleBatch& batch = tile.batch;
     const Surface& surface = tile.surface();
     const auto write = [&](int i, int, Block::real center_depth, const Shaded<Block>& f,
                            const Vector<Block>& through) HWY_ATTR {
@@ -209,6 +212,10 @@ HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const C
         through.y.store(s.through_green.data() + i);
         through.z.store(s.through_blue.data() + i);
     };
+    if (tile.consumer.hidden_behind != nullptr && list.overlaps == nullptr) {
+        tile.scratch.hidden += static_cast<std::uint64_t>(leave_out_hidden(
+            tile.consumer.hidden_behind, tile.opaque, *tile.job.samples, first, end, batch, list));
+    }
     shade_covered(tile.job, tile.setup, batch, first, end, list, tile.scratch, write);
     if (tile.job.wants.places) add_places(tile.job, tile.setup, batch, first, end, list, s);
     if (tile.job.wants.levels) add_levels(tile.job, tile.setup, batch, first, end, list, s);
@@ -352,6 +359,7 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
                           };
     list_triangles(job, scratch.triangles);
     stream.clear();
+    scratch.hidden = 0;
     opaque.any = false;
     if (job.surfaces->any_opaque && job.part != TilePart::transparent) {
         for_each_triangle(job, scratch.triangles,

@@ -1,6 +1,7 @@
 // Rasterises and shades one tile: opaque surfaces into samples, transparent ones into the stream.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -57,6 +58,7 @@ struct SortedTriangle {
 struct TileScratch {
     std::vector<TileTriangle> triangles;
     std::vector<SortedTriangle> sorted;
+    std::uint64_t hidden = 0;  // fragments left out of the last tile: FragmentConsumer
     // As one triangle sees them.
     std::vector<Float3> light_places;
     std::vector<ShadowReceiver> receivers;
@@ -80,6 +82,9 @@ struct TileScratch {
 struct FragmentConsumer {
     bool (*take)(void* context, const FragmentStream& stream);
     void* context;
+    // Of kTilePixels: fragments behind are not wanted, and need not be shaded. It may come nearer
+    // with each call of `take`. Null: all are wanted.
+    const float* hidden_behind = nullptr;
 };
 
 // What is left at the end, which may be nothing, stays in the stream. False: the consumer wanted no

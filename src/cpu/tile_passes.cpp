@@ -131,6 +131,11 @@ bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileS
     const auto done = [&] {
         return store.verbs->done != nullptr && store.verbs->done(store.store.get());
     };
+    // Of several passes each begins with nothing kept, and needs all.
+    const float* hidden_behind = nullptr;
+    if (store.storing.size() == 1 && store.verbs->hidden_behind != nullptr) {
+        hidden_behind = store.verbs->hidden_behind(store.store.get());
+    }
     for (std::size_t p = 0; p < store.storing.size() && (p == 0 || !done()); ++p) {
         const int pass = static_cast<int>(p);
         Stopwatch& storing = store.storing[p];
@@ -147,7 +152,7 @@ bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileS
         TileJob job = setting.job;
         job.region = region;
         store.raster_shade.start();
-        const bool held = rasterise(job, [&](const FragmentStream& stream) {
+        const bool held = rasterise(job, hidden_behind, [&](const FragmentStream& stream) {
             if (chosen_ != nullptr) keep_pixels(stream_, *chosen_);
             store.raster_shade.stop();
             storing.start();
@@ -159,6 +164,7 @@ bool TilePasses::feed(const TileSetting& setting, const PixelRect& region, TileS
         });
         store.raster_shade.stop();
         if (!held) return false;
+        fragments += scratch_.hidden;
     }
     store.fragments += fragments;
     return true;

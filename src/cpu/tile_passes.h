@@ -64,7 +64,7 @@ public:
     template <class Consume>
     void visit(const TileSetting& setting, Consume&& consume)
     {
-        rasterise(setting.job, [&](const FragmentStream& stream) {
+        rasterise(setting.job, nullptr, [&](const FragmentStream& stream) {
             consume(stream);
             return true;
         });
@@ -74,7 +74,7 @@ public:
 
 private:
     template <class Consume>
-    bool rasterise(const TileJob& job, Consume&& consume);
+    bool rasterise(const TileJob& job, const float* hidden_behind, Consume&& consume);
     bool feed(const TileSetting& setting, const PixelRect& region, TileStore& store);
     void draw_region(const TileSetting& setting, const PixelRect& region, TileStore& store,
                      SampleColors& colors);
@@ -91,12 +91,12 @@ private:
 };
 
 template <class Consume>
-bool TilePasses::rasterise(const TileJob& job, Consume&& consume)
+bool TilePasses::rasterise(const TileJob& job, const float* hidden_behind, Consume&& consume)
 {
     const FragmentConsumer consumer{[](void* context, const FragmentStream& stream) {
                                         return (*static_cast<Consume*>(context))(stream);
                                     },
-                                    &consume};
+                                    &consume, hidden_behind};
     return fragments_(job, scratch_, opaque_, stream_, consumer) &&
            (stream_.size == 0 || consume(stream_));
 }

@@ -60,7 +60,7 @@ struct TriangleBatch {
     int begin[kMost + 1];
     bool conservative = false;
     // The triangle of each fragment in the list, from the first that waits for shading on.
-    alignas(64) std::int32_t owner[kMostCovered + Block::kCount] = {};
+    alignas(64) std::uint32_t owner[kMostCovered + Block::kCount] = {};
 
     std::uint32_t object() const { return triangle[0]->object; }
     bool has_room_for(const Triangle& t) const
@@ -146,7 +146,7 @@ inline void cover_conservatively(const TileJob& job, std::size_t first, std::siz
                       list);
         batch.begin[k + 1] = list.count;
         std::fill(batch.owner + (batch.begin[k] - before), batch.owner + (list.count - before),
-                  static_cast<std::int32_t>(k));
+                  static_cast<std::uint32_t>(k));
     }
 }
 
@@ -164,7 +164,7 @@ HWY_INLINE void cover(const TileJob& job, const TileSetup& setup, std::size_t fi
         cover_wide(*batch.triangle[first], set, region_of(job, batch, first), job.rect.x0,
                    job.rect.y0, list);
         batch.begin[end] = list.count;
-        std::fill_n(batch.owner, list.count - before, static_cast<std::int32_t>(first));
+        std::fill_n(batch.owner, list.count - before, static_cast<std::uint32_t>(first));
         return;
     }
     batch.candidates.vectors = 0;

@@ -7,6 +7,7 @@
 #define SHEER_ALPHA_TESTS_INL_H
 #endif
 
+#include "methods/farthest-inl.h"
 #include "methods/nearest_samples-inl.h"
 #include "raster/sample_depth-inl.h"
 
@@ -87,7 +88,9 @@ public:
     {
         Base::clear(place);
         keeps_.clear(place);
+        farthest_.clear();
     }
+    const float* hidden_behind() const { return farthest_.data(); }
 
     void insert(const FragmentStream& f, int)
     {
@@ -119,21 +122,26 @@ private:
         typename Text::StochasticStore fragment;
         fragment.id = typename L::whole(run.primitive);
         const std::uint32_t *low = low_.data(), *high = high_.data();
+        float* far = farthest_.data();
         for (std::size_t i = run.first; i < run.first + run.count; ++i) {
             if ((low[i] | high[i]) == 0) continue;
             fragment.color = color_of<Text>(f, i);
             float* stores = this->values() + Method::kChannels * f.pixel[i] * Samples;
+            real most;
             for (std::size_t b = 0; b < kBlocks; ++b) {
                 const std::size_t s = b * L::kCount;
                 const auto here = L::mask_of_bits((s < 32 ? low[i] : high[i]) >> (s & 31));
                 fragment.depth = sample_depth<L>(plane, offset[b], f.depth[i]);
-                Method::insert(here, fragment, stores + s, Samples);
+                const real kept = Method::insert(here, fragment, stores + s, Samples);
+                most = b == 0 ? kept : L::max(most, kept);
             }
+            far[f.pixel[i]] = most.greatest();
         }
     }
 
     const SampleSet& set_;
     Keeps keeps_;
+    Farthest farthest_;
     AlignedArray<std::uint32_t> low_, high_, names_;  // of the stream's fragments
 };
 

@@ -39,6 +39,7 @@ public:
 
     // Of each pixel: the most depth that a sample keeps.
     float* data() { return of_pixel_.data(); }
+    const float* data() const { return of_pixel_.data(); }
     void clear()
     {
         std::fill_n(of_pixel_.data(), kTilePixels, std::numeric_limits<float>::infinity());

@@ -143,6 +143,9 @@ struct StoreVerbs {
     // pass to the eye from a depth, as fragments have it; the mean over a pixel's samples. Null: it
     // keeps none.
     float (*transmittance)(void* store, std::size_t pixel, float depth) = nullptr;
+    // Of a store in which the nearest fragments hide the others: depths, of kTilePixels, behind
+    // which a fragment changes nothing, up to date after each `insert`. Null, or null: all count.
+    const float* (*hidden_behind)(const void* store) = nullptr;
 };
 
 // What a method adds up of a picture of fewer pixels, tile by tile, before the tiles of the picture
@@ -187,6 +190,11 @@ StoreVerbs verbs_of()
     if constexpr (requires(Store & store) { store.transmittance_at(std::size_t{}, 0.0f); }) {
         verbs.transmittance = [](void* store, std::size_t pixel, float depth) {
             return static_cast<Store*>(store)->transmittance_at(pixel, depth);
+        };
+    }
+    if constexpr (requires(const Store& store) { store.hidden_behind(); }) {
+        verbs.hidden_behind = [](const void* store) {
+            return static_cast<const Store*>(store)->hidden_behind();
         };
     }
     return verbs;

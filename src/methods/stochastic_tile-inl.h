@@ -51,6 +51,11 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
         if (several()) shown = SampleValues<4>(set.count);
     }
     bool several() const { return settings.passes > 1; }
+    // Total alpha is of all fragments.
+    const float* hidden_behind() const
+    {
+        return settings.corrects ? nullptr : masks.farthest.data();
+    }
 
     void clear(const TilePlace& place)
     {

@@ -60,7 +60,7 @@ HWY_INLINE Block::whole samples_outside(const EdgeBatch& b, std::size_t k, std::
 // `Samples`: that are tested, each for itself or one for all.
 template <int Samples>
 void cover_by_samples(const EdgeBatch& b, const CandidateList& candidates, const SampleSet& set,
-                      CoverageList& list, int* end, std::int32_t* owner)
+                      CoverageList& list, int* end, std::uint32_t* owner)
 {
     using whole = Block::whole;
     using mask = Block::mask;
@@ -98,7 +98,7 @@ void cover_by_samples(const EdgeBatch& b, const CandidateList& candidates, const
 }
 
 using CoverFunction = void (*)(const EdgeBatch&, const CandidateList&, const SampleSet&,
-                               CoverageList&, int*, std::int32_t*);
+                               CoverageList&, int*, std::uint32_t*);
 
 inline CoverFunction cover_function_for(const SampleSet& set)
 {

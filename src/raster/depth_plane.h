@@ -21,6 +21,12 @@ struct DepthPlane {
     float slack;        // bounds the error of depth at a sample in floats
     double precise_at;  // at the centre of the tile's first pixel
     double precise_dx, precise_dy;
+
+    // So many pixels to the right of there and down, not clamped.
+    double precise(double x, double y) const
+    {
+        return precise_at + (x * precise_dx + y * precise_dy);
+    }
 };
 
 // `terms`: the largest that the two vertices' shares in the depth at a pixel's centre get, in
@@ -59,9 +65,8 @@ inline double precise_depth(const DepthPlane& plane, const SampleSet& set, std::
 {
     const double x = pixel % kTileSize + static_cast<double>(set.offset_x[s]);
     const double y = pixel / kTileSize + static_cast<double>(set.offset_y[s]);
-    const double depth = plane.precise_at + (x * plane.precise_dx + y * plane.precise_dy);
-    return round_to_32_bits(
-        std::clamp(depth, static_cast<double>(plane.least), static_cast<double>(plane.most)));
+    return round_to_32_bits(std::clamp(plane.precise(x, y), static_cast<double>(plane.least),
+                                       static_cast<double>(plane.most)));
 }
 
 }  // namespace sheer
