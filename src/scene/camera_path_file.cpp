@@ -8,6 +8,7 @@
 
 #include "scene/gltf/document.h"
 #include "support/read_file.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -22,7 +23,7 @@ void check_members(const Value& object, std::initializer_list<std::string_view> 
 {
     for (const std::string& key : object.keys()) {
         if (std::find(known.begin(), known.end(), key) == known.end()) {
-            object.fail("there is no member '" + gltf::in_one_line(key, 40) + "'");
+            object.fail("there is no member '" + in_one_line(key, 40) + "'");
         }
     }
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 #include "scene/mesh_files.h"
 #include "scene/polygon.h"
 #include "scene/text_scanner.h"
@@ -84,7 +84,7 @@ void read_binary(const std::string& path, const Bytes& content, Scene& scene)
         spare += end[-2] != 0 || end[-1] != 0;
     }
     if (count > 0) place_mesh(scene, welder.to_mesh(name_of_file(path)));
-    gltf::Notes notes;
+    Notes notes;
     notes.add("bytes behind the triangles", "not read",
               content.size() - kHeaderSize - kTriangleSize * static_cast<std::size_t>(count));
     // Some writers keep colours in the spare bytes, and one for all in the header.
@@ -138,7 +138,7 @@ public:
         }
         if (!polygon_.empty()) line_.fail("the file is cut short");
         end_solid();
-        gltf::Notes notes;
+        Notes notes;
         notes.add(kUncutPolygons, kUncutBecause, cutter_.uncut());
         scene_.ignored = notes.lines();
     }

@@ -69,4 +69,19 @@ std::string fixed(double number, int digits)
     return is_zero && text[0] == '-' ? text + 1 : text;
 }
 
+std::string in_one_line(std::string_view text, std::size_t max_length)
+{
+    std::size_t length = text.size();
+    if (length > max_length) {
+        length = max_length;
+        // A UTF-8 character is not cut in two: its later bytes are 10xxxxxx.
+        while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0u) == 0x80u) --length;
+    }
+    std::string line(text.substr(0, length));
+    for (char& c : line) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = '?';
+    }
+    return line;
+}
+
 }  // namespace sheer

@@ -1,6 +1,7 @@
 // Small things about text.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -30,6 +31,10 @@ std::string joined(std::span<const std::string> names);
 // letters more, less, wrong or swapped with the next, a third of them at most, or one that begins
 // like it. Empty where there is none such, or where it is one of them.
 std::string suggestion(std::string_view typed, std::span<const std::string> names);
+
+// `text` without control characters, which would break a message's one line, and of `max_length`
+// bytes at most.
+std::string in_one_line(std::string_view text, std::size_t max_length);
 
 // "640x480"
 inline std::string size_text(int width, int height)

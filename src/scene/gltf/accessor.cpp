@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <bit>
 
+#include "support/text.h"
+
 namespace sheer::gltf {
 
 namespace {

@@ -10,6 +10,7 @@
 #include "scene/gltf/import.h"
 #include "scene/gltf/matrix.h"
 #include "support/math.h"
+#include "support/text.h"
 
 namespace sheer::gltf {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "scene/gltf/document.h"
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 #include "support/read_file.h"
 
 namespace sheer::gltf {

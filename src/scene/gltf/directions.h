@@ -3,7 +3,7 @@
 
 #include <sheer/scene.h>
 
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 
 namespace sheer::gltf {
 

@@ -12,6 +12,8 @@
 
 #include <sheer/error.h>
 
+#include "support/text.h"
+
 namespace sheer::gltf {
 
 namespace {

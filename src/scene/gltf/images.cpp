@@ -10,6 +10,7 @@
 #include "image/decode_texture.h"
 #include "scene/gltf/uri.h"
 #include "scene/material_textures.h"
+#include "support/text.h"
 
 namespace sheer::gltf {
 

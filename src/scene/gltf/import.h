@@ -13,7 +13,7 @@
 #include "scene/gltf/animation.h"
 #include "scene/gltf/buffers.h"
 #include "scene/gltf/document.h"
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 
 namespace sheer::gltf {
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "scene/gltf/textures.h"
+#include "support/text.h"
 
 namespace sheer::gltf {
 

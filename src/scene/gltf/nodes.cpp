@@ -9,6 +9,7 @@
 #include <charconv>
 
 #include "scene/gltf/materials.h"
+#include "support/text.h"
 
 namespace sheer::gltf {
 

@@ -13,6 +13,7 @@
 #include <sheer/error.h>
 
 #include "support/lies_below.h"
+#include "support/text.h"
 
 namespace sheer::gltf {
 

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -71,8 +72,5 @@ std::array<double, N> numbers_or(const Value& object, std::string_view key,
     for (std::size_t i = 0; i < N; ++i) numbers[i] = (*list)[i].number();
     return numbers;
 }
-
-// `text` without control characters, which would break a message's one line, and not too long.
-std::string in_one_line(std::string_view text, std::size_t max_length);
 
 }  // namespace sheer::gltf

@@ -9,9 +9,9 @@
 
 #include "image/decode_texture.h"
 #include "image/resample.h"
-#include "scene/gltf/value.h"
 #include "scene/mesh_files.h"
 #include "support/lies_below.h"
+#include "support/text.h"
 
 namespace sheer::obj {
 
@@ -106,7 +106,7 @@ const std::optional<std::string>& FileFinder::find(const std::string& name,
 }
 
 Materials::Materials(std::string base, const LoadOptions& options, FileFinder& finder, Scene& scene,
-                     gltf::Notes& notes)
+                     Notes& notes)
     : base_(std::move(base)),
       finder_(finder),
       scene_(scene),
@@ -133,9 +133,8 @@ std::optional<std::uint32_t> Materials::load(const std::string& name, const MtlM
 {
     const std::optional<std::string> path = finder_.find(name, mtl.path ? *mtl.path : base_);
     if (!path) {
-        notes_.add(
-            "image '" + gltf::in_one_line(name, kMostShown) + "', which is " + finder_.where_not(),
-            "drawn without it");
+        notes_.add("image '" + in_one_line(name, kMostShown) + "', which is " + finder_.where_not(),
+                   "drawn without it");
         return std::nullopt;
     }
     if (const auto known = loaded_.find(*path); known != loaded_.end()) return known->second;

@@ -8,7 +8,7 @@
 
 #include <sheer/sheer.h>
 
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 #include "scene/obj/mtl.h"
 
 namespace sheer::obj {
@@ -46,7 +46,7 @@ class Materials {
 public:
     // `base`: the file's path, for complaints. All outlive this.
     Materials(std::string base, const LoadOptions& options, FileFinder& finder, Scene& scene,
-              gltf::Notes& notes);
+              Notes& notes);
 
     Material make(const std::string& name, const MtlMaterial& mtl);
 
@@ -62,7 +62,7 @@ private:
     std::string base_;
     FileFinder& finder_;
     Scene& scene_;
-    gltf::Notes& notes_;
+    Notes& notes_;
     std::uint64_t texels_left_;
     std::map<std::string, std::optional<std::uint32_t>> loaded_;  // in Scene::images, by path
     std::map<std::pair<std::int64_t, std::uint32_t>, std::uint32_t> combined_;

@@ -5,8 +5,8 @@
 #include <array>
 #include <string_view>
 
-#include "scene/gltf/value.h"
 #include "scene/text_scanner.h"
+#include "support/text.h"
 
 namespace sheer::obj {
 
@@ -19,7 +19,7 @@ bool is_number(std::string_view word)
 }
 
 // One number stands for three.
-std::optional<Float3> read_color(TextScanner& line, gltf::Notes& notes)
+std::optional<Float3> read_color(TextScanner& line, Notes& notes)
 {
     const std::string_view first = line.word();
     if (first == "spectral" || first == "xyz") {
@@ -106,8 +106,7 @@ bool changes_nothing(std::string_view word)
     return word == "Ka" || word == "Ni" || word == "illum" || word.starts_with('#');
 }
 
-void read_statement(std::string_view word, TextScanner& line, MtlMaterial& material,
-                    gltf::Notes& notes)
+void read_statement(std::string_view word, TextScanner& line, MtlMaterial& material, Notes& notes)
 {
     if (word == "Kd") {
         material.kd = read_color(line, notes);
@@ -138,13 +137,13 @@ void read_statement(std::string_view word, TextScanner& line, MtlMaterial& mater
         const std::optional<Float3> filter = read_color(line, notes);
         if (filter != Float3{1, 1, 1}) notes.add("materials with Tf", "drawn without it");
     } else if (!word.empty() && !changes_nothing(word)) {
-        notes.add("materials with " + gltf::in_one_line(word, 20), "drawn without it");
+        notes.add("materials with " + in_one_line(word, 20), "drawn without it");
     }
 }
 
 }  // namespace
 
-void read_mtl(const std::string& path, const Bytes& content, Library& library, gltf::Notes& notes)
+void read_mtl(const std::string& path, const Bytes& content, Library& library, Notes& notes)
 {
     TextScanner line(path, as_text(content));
     const auto shared_path = std::make_shared<const std::string>(path);

@@ -9,7 +9,7 @@
 
 #include <sheer/scene.h>
 
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 #include "support/read_file.h"
 
 namespace sheer::obj {
@@ -33,6 +33,6 @@ struct MtlMaterial {
 using Library = std::map<std::string, MtlMaterial, std::less<>>;  // by name
 
 // Adds a file's materials. Throws Error with Fault::input, "<path>: line <n>: <what>".
-void read_mtl(const std::string& path, const Bytes& content, Library& library, gltf::Notes& notes);
+void read_mtl(const std::string& path, const Bytes& content, Library& library, Notes& notes);
 
 }  // namespace sheer::obj

@@ -10,14 +10,14 @@
 #include <set>
 #include <utility>
 
-#include "scene/gltf/notes.h"
-#include "scene/gltf/value.h"
+#include "scene/notes.h"
 #include "scene/mesh_files.h"
 #include "scene/obj/materials.h"
 #include "scene/obj/mtl.h"
 #include "scene/obj/parts.h"
 #include "scene/polygon.h"
 #include "scene/text_scanner.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -106,7 +106,7 @@ private:
             const std::string_view group = argument();
             smoothed_ += !group.empty() && group != "off" && group != "0";
         } else if (!word.empty() && !word.starts_with('#')) {
-            notes_.add("statements called " + gltf::in_one_line(word, kMostShown), "not read");
+            notes_.add("statements called " + in_one_line(word, kMostShown), "not read");
         }
     }
 
@@ -256,8 +256,8 @@ private:
         const std::optional<std::string> path = finder_.find(name);
         if (!path) {
             if (missing_.insert(name).second) {
-                notes_.add("material library '" + gltf::in_one_line(name, kMostShown) +
-                               "', which is " + finder_.where_not(),
+                notes_.add("material library '" + in_one_line(name, kMostShown) + "', which is " +
+                               finder_.where_not(),
                            "drawn without it");
             }
         } else if (libraries_.insert(*path).second) {
@@ -300,11 +300,11 @@ private:
         const auto number = static_cast<std::uint32_t>(scene_.materials.size());
         if (const Library::value_type* found = in_library(key.material)) {
             scene_.materials.push_back(
-                materials.make(gltf::in_one_line(found->first, kMaxName), found->second));
+                materials.make(in_one_line(found->first, kMaxName), found->second));
             numbers = {number, number};
             return number;
         }
-        const std::string name = gltf::in_one_line(materials_[key.material], kMaxName);
+        const std::string name = in_one_line(materials_[key.material], kMaxName);
         if (key.material != kNoMaterial && !numbers[!thin]) {
             notes_.add("materials that no library has", "drawn grey");
         }
@@ -320,7 +320,7 @@ private:
         for (Part& p : parts_.all()) {
             if (p.indices.empty()) continue;
             Mesh mesh = to_mesh(p, attributes_, notes_);
-            mesh.name = gltf::in_one_line(names_[p.key.name], kMaxName);
+            mesh.name = in_one_line(names_[p.key.name], kMaxName);
             mesh.material = material(p.key, materials);
             place_mesh(scene_, std::move(mesh));
         }
@@ -345,7 +345,7 @@ private:
     const LoadOptions& options_;
     TextScanner line_;
     Scene scene_;
-    gltf::Notes notes_;
+    Notes notes_;
     Attributes attributes_;
     Parts parts_;
     Names names_, materials_;

@@ -16,7 +16,7 @@ std::size_t Parts::number_of(const PartKey& key)
     return entry->second;
 }
 
-Mesh to_mesh(Part& part, const Attributes& attributes, gltf::Notes& notes)
+Mesh to_mesh(Part& part, const Attributes& attributes, Notes& notes)
 {
     const std::vector<Triple>& corners = part.corners.triples();
     const auto any = [&](std::size_t which) {

@@ -9,7 +9,7 @@
 
 #include <sheer/scene.h>
 
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 #include "scene/triple_table.h"
 
 namespace sheer::obj {
@@ -76,6 +76,6 @@ private:
 };
 
 // All that is in the vertices; name and material are left to do. Empties the part.
-Mesh to_mesh(Part& part, const Attributes& attributes, gltf::Notes& notes);
+Mesh to_mesh(Part& part, const Attributes& attributes, Notes& notes);
 
 }  // namespace sheer::obj

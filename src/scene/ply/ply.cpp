@@ -6,14 +6,14 @@
 #include <utility>
 
 #include "scene/gltf/directions.h"
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 #include "scene/gltf/topology.h"
-#include "scene/gltf/value.h"
 #include "scene/mesh_files.h"
 #include "scene/ply/header.h"
 #include "scene/ply/model.h"
 #include "scene/polygon.h"
 #include "scene/text_scanner.h"
+#include "support/text.h"
 
 namespace sheer {
 
@@ -58,11 +58,11 @@ bool is_known(const Element& element)
     return false;
 }
 
-void note_what_is_skipped(const Header& header, gltf::Notes& notes)
+void note_what_is_skipped(const Header& header, Notes& notes)
 {
     constexpr std::size_t kMostShown = 40;  // of a name
     for (const Element& element : header.elements) {
-        const std::string name = gltf::in_one_line(element.name, kMostShown);
+        const std::string name = in_one_line(element.name, kMostShown);
         if (!is_known(element)) {
             notes.add("elements called " + name, "not read",
                       static_cast<std::size_t>(element.count));
@@ -70,15 +70,14 @@ void note_what_is_skipped(const Header& header, gltf::Notes& notes)
         }
         for (const Property& property : element.properties) {
             if (property.use != Use::none) continue;
-            notes.add(
-                "property " + gltf::in_one_line(property.name, kMostShown) + " of each " + name,
-                "not read");
+            notes.add("property " + in_one_line(property.name, kMostShown) + " of each " + name,
+                      "not read");
         }
     }
 }
 
 // Properties that only their full number makes something of.
-void note_incomplete(const Header& header, gltf::Notes& notes)
+void note_incomplete(const Header& header, Notes& notes)
 {
     struct Group {
         const char* what;
@@ -125,7 +124,7 @@ Scene to_scene(const std::string& path, Model model, const Header& header)
     }
     gltf::drop_unused_vertices(mesh);
     mesh.material = add_material(mesh.topology);
-    gltf::Notes notes;
+    Notes notes;
     note_what_is_skipped(header, notes);
     note_incomplete(header, notes);
     notes.add("textures that a comment names", "drawn without", header.textures);

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace sheer::gltf {
+namespace sheer {
 
 class Notes {
 public:
@@ -18,4 +18,4 @@ private:
     std::map<std::pair<std::string, std::string>, std::size_t> counts_;
 };
 
-}  // namespace sheer::gltf
+}  // namespace sheer

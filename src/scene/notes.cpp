@@ -1,9 +1,9 @@
 // Notes about what a reader leaves out. The number of kinds is limited, since some are named after
 // what stands in the file.
 
-#include "scene/gltf/notes.h"
+#include "scene/notes.h"
 
-namespace sheer::gltf {
+namespace sheer {
 
 namespace {
 
@@ -31,4 +31,4 @@ std::vector<std::string> Notes::lines() const
     return lines;
 }
 
-}  // namespace sheer::gltf
+}  // namespace sheer
