@@ -321,7 +321,7 @@ void add_own_options(CLI::App& command, CompareRequest& request)
         ->disable_flag_override();
 }
 
-constexpr const char* kMeaning =
+constexpr const char* kCompareMeaning =
     "All errors are in linear colour times 255, not clamped, over pixels, red, green and blue; of\n"
     "random methods over all seeds.\n"
     "  rmse         root mean square against the truth: 'exact' at 256 samples a pixel\n"
@@ -375,7 +375,7 @@ void add_compare_command(CLI::App& tool)
          "sheer compare scene.glb --methods wboit,stochastic:masks=naive --seeds 32 -o out",
          "sheer compare tree.glb --frames 0..15 --orbit 10 --taa 0.1 -o out",
          "sheer compare scene.glb -o out --opacity 'Glass*=0.5' --mask-as-blend"});
-    command->footer(std::string(kMeaning) + "\n" + usual_help() + "\n" + examples + "\n" +
+    command->footer(std::string(kCompareMeaning) + "\n" + usual_help() + "\n" + examples + "\n" +
                     methods_help() + "\n" + scenes_help());
     command->callback([request, command] {
         const auto words = given_words(*command, {});

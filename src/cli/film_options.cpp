@@ -9,7 +9,7 @@ namespace sheer {
 
 namespace {
 
-constexpr const char* kGroup = "Frames";
+constexpr const char* kFramesGroup = "Frames";
 
 FrameRange parse_frames(const std::string& option, const std::string& text)
 {
@@ -64,9 +64,11 @@ void add_film_options(CLI::App& command, FilmOptions& given)
                                         given.path.first = given.frames->first;
                                         given.path.last = given.frames->last;
                                     });
-    frames->group(kGroup);
+    frames->group(kFramesGroup);
     const auto add = [&](const char* name, const char* value, const char* what, ReadValue read) {
-        return add_value(command, name, value, what, std::move(read))->needs(frames)->group(kGroup);
+        return add_value(command, name, value, what, std::move(read))
+            ->needs(frames)
+            ->group(kFramesGroup);
     };
     add("--orbit", "DEG",
         "Turn the camera about its target, to the right, by DEG in\nframe B; 360 is where it began",

@@ -11,7 +11,7 @@ namespace sheer {
 
 namespace {
 
-constexpr const char* kGroup = "Scene";
+constexpr const char* kSceneGroup = "Scene";
 constexpr const char* kEverything = "*";
 
 // [NAME-PATTERN=]A; names may hold the sign, too, numbers not.
@@ -93,27 +93,27 @@ void add_scene_options(CLI::App& command, SceneOptions& given)
         ->option_text(" ");
     add_value(command, "--scene", "NAME|NUMBER", "Of a glTF file with several (the file's choice)",
               [&given](auto&, auto& text) { given.load.scene = text; })
-        ->group(kGroup);
+        ->group(kSceneGroup);
     add_value(
         command, "--time", "SECONDS", "Into an animation of a glTF file (as the file stands)",
         [&given](auto& option, auto& text) { given.load.time = double{parse_float(option, text)}; })
-        ->group(kGroup);
+        ->group(kSceneGroup);
     add_value(command, "--animation", "NAME|NUMBER",
               "Which animation, with --time or --fps (the first)",
               [&given](auto&, auto& text) { given.load.animation = text; })
-        ->group(kGroup);
+        ->group(kSceneGroup);
     command
         .add_flag("--allow-any-file", given.load.allow_any_file,
                   "Read also what lies outside of the scene's folder, for\n"
                   "files that you trust")
         ->disable_flag_override()
-        ->group(kGroup);
+        ->group(kSceneGroup);
     const auto add_limit = [&](const char* name, const std::string& of, std::uint64_t& most) {
         add_value(command, name, "N", of + "; more are refused (" + std::to_string(most) + ")",
                   [&most](auto& option, auto& text) {
                       most = parse_whole<std::uint64_t>(option, text, 0, UINT64_MAX);
                   })
-            ->group(kGroup);
+            ->group(kSceneGroup);
     };
     add_limit("--most-texels", "Of all images", given.load.most_texels);
     add_limit("--most-objects", "With instances", given.load.most_objects);
@@ -141,12 +141,12 @@ void add_override_options(CLI::App& command, SceneOptions& given)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
         ->type_name("[NAME-PATTERN=]A")
         ->option_text("[NAME-PATTERN=]A")
-        ->group(kGroup);
+        ->group(kSceneGroup);
     command
         .add_flag("--mask-as-blend", given.mask_as_blend,
                   "Blend what has a mask: no threshold cuts it out")
         ->disable_flag_override()
-        ->group(kGroup);
+        ->group(kSceneGroup);
 }
 
 Scene load_scene(const SceneOptions& given, std::uint64_t memory_limit)

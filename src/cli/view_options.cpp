@@ -40,7 +40,7 @@ constexpr std::array<std::pair<const char*, Simd>, 5> kLevels = {{{"scalar", Sim
                                                                   {"avx512", Simd::avx512},
                                                                   {"neon", Simd::neon}}};
 
-constexpr const char* kGroup = "View";
+constexpr const char* kViewGroup = "View";
 
 void add_picture_options(CLI::App& command, View& view)
 {
@@ -48,27 +48,27 @@ void add_picture_options(CLI::App& command, View& view)
         const Size size = parse_size(option, text);
         view.width = size.width;
         view.height = size.height;
-    })->group(kGroup);
+    })->group(kViewGroup);
     add_value(command, "--sample-positions", "standard|center",
               "Where a pixel's samples are: at the usual multisample\n"
               "positions, or all at its centre (standard)",
               [&view](auto& option, auto& text) {
                   view.positions = parse_choice(option, text, kPositions);
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(
         command, "--filter", "box|gaussian", "How a pixel's samples are averaged (box)",
         [&view](auto& option, auto& text) { view.filter = parse_choice(option, text, kFilters); })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(
         command, "--background", "R,G,B[,A]",
         "Linear, multiplied by A, which is 1 if not given;\n"
         "0,0,0,0 is transparent (the scene's, or light grey)",
         [&view](auto& option, auto& text) { view.background = parse_background(option, text); })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(command, "--exposure", "EV", "Surfaces are brighter by 2^EV (0)",
               [&view](auto& option, auto& text) { view.exposure = parse_float(option, text); })
-        ->group(kGroup);
+        ->group(kViewGroup);
 }
 
 void add_texture_options(CLI::App& command, View& view)
@@ -81,13 +81,13 @@ void add_texture_options(CLI::App& command, View& view)
               [&view](auto& option, auto& text) {
                   view.alpha_mips = parse_choice(option, text, kAlphaMips);
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(command, "--texture-levels", "N",
               "Of each texture, the largest first; 1: the image alone;\n0: all (0)",
               [&view](auto& option, auto& text) {
                   view.texture_levels = parse_whole(option, text, 0, 16);
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
 }
 
 void add_fragment_options(CLI::App& command, View& view)
@@ -99,13 +99,13 @@ void add_fragment_options(CLI::App& command, View& view)
               [&view](auto& option, auto& text) {
                   view.conservative = parse_choice(option, text, kConservative);
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(
         command, "--shade-at", "fragment|sample",
         "Surfaces whose opacities are in a texture: once a pixel,\n"
         "or at each of its samples (fragment)",
         [&view](auto& option, auto& text) { view.shade_at = parse_choice(option, text, kShadeAt); })
-        ->group(kGroup);
+        ->group(kViewGroup);
 }
 
 void add_camera_options(CLI::App& command, View& view)
@@ -126,7 +126,7 @@ void add_camera_options(CLI::App& command, View& view)
     target->needs(eye);
     fov->needs(eye);
     camera->excludes(eye);
-    for (CLI::Option* option : {camera, eye, target, fov}) option->group(kGroup);
+    for (CLI::Option* option : {camera, eye, target, fov}) option->group(kViewGroup);
 }
 
 void add_machine_options(CLI::App& command, Options& options)
@@ -135,7 +135,7 @@ void add_machine_options(CLI::App& command, Options& options)
               [&options](auto& option, auto& text) {
                   options.threads = parse_whole(option, text, 0, 4096);
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(command, "--memory-limit", "MiB",
               "What the whole process may take; the picture is the\n"
               "same with and without (no limit)",
@@ -143,14 +143,14 @@ void add_machine_options(CLI::App& command, Options& options)
                   options.memory_limit =
                       parse_whole<std::uint64_t>(option, text, 1, 1 << 30) * 1024 * 1024;
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
     add_value(command, "--simd", "LEVEL",
               "Vector instructions: scalar, sse4, avx2, avx512 or neon;\nhere: " +
                   available_simd_levels() + " (the last of these)",
               [&options](auto& option, auto& text) {
                   options.simd = parse_choice(option, text, kLevels);
               })
-        ->group(kGroup);
+        ->group(kViewGroup);
 }
 
 }  // namespace

@@ -74,7 +74,10 @@ std::string ChosenMethod::parameters_text() const
 {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        text += (i == 0 ? "" : ":") + std::string(row->parameters[i].name) + "=" + values[i];
+        if (i > 0) text += ':';
+        text += row->parameters[i].name;
+        text += '=';
+        text += values[i];
     }
     return text;
 }

@@ -58,8 +58,8 @@ std::string progress_line(const std::string& what, double part, double elapsed_s
         numbers += ", " + clock_text(elapsed_seconds * (1 - part) / part) + " left";
     }
     const auto filled = static_cast<std::size_t>(part * static_cast<double>(kBarWidth));
-    const std::string bar =
-        "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] ";
+    std::string bar = "[";
+    bar.append(filled, '#').append(kBarWidth - filled, '.').append("] ");
 
     const std::size_t room = columns > 1 ? static_cast<std::size_t>(columns) - 1 : 0;
     std::string line = what + " " + bar + numbers;

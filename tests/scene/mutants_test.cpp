@@ -54,11 +54,26 @@ constexpr const char* kHow = "--jobs 2 --seconds 60 --sanitized ";
 constexpr const char* kHow = "--jobs 2 ";
 #endif
 
+// How many; `./dev mutants` makes as many as one likes.
+#ifdef SHEER_SLOW_TESTS
+constexpr int kOfOwnFiles = 300, kOfRealFiles = 200;
+#else
+constexpr int kOfOwnFiles = 150, kOfRealFiles = 100;
+#endif
+
+// Of a folder's files.
+std::string mutants_of(int count, const char* folder)
+{
+    std::string words = kHow;
+    words += std::to_string(count) + " ";
+    return words + quoted(folder);
+}
+
 TEST(Mutants, OfOwnFilesAreDrawnOrRefused)
 {
     const TestFolder kept;
     const Said said =
-        run_mutants(SHEER_TOOL, kept, kHow + ("300 " + quoted(SHEER_SOURCE_DIR "/scenes")));
+        run_mutants(SHEER_TOOL, kept, mutants_of(kOfOwnFiles, SHEER_SOURCE_DIR "/scenes"));
     EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 
@@ -69,7 +84,8 @@ TEST(Mutants, OfRealFilesAreDrawnOrRefused)
         GTEST_SKIP() << "SHEER_SCENES names no folder";
     }
     const TestFolder kept;
-    const Said said = run_mutants(SHEER_TOOL, kept, kHow + ("--largest 0.1 200 " + quoted(folder)));
+    const Said said =
+        run_mutants(SHEER_TOOL, kept, "--largest 0.1 " + mutants_of(kOfRealFiles, folder));
     EXPECT_EQ(said.exit_code, 0) << said.text;
 }
 
