@@ -86,8 +86,10 @@ SHEER_FN SampleBits naive_mask(whole seed, real opacity, int samples)
 //
 // A sample for each of R numbers: with t from S - R on, a random one of 0 to t, or t itself where
 // that is taken already. Floyd, in Bentley. Programming Pearls: A Sample of Brilliance. CACM 30(9),
-// 1987. Where R is more than half of S, the S - R that are left out are chosen instead.
-SHEER_FN SampleBits chosen_samples(SHEER_INOUT(whole) seed, whole taken, whole all, int samples)
+// 1987. Where R is more than half of S, the S - R that are left out are chosen instead. `most`: no
+// less than the smaller of these two numbers.
+SHEER_FN SampleBits chosen_samples(SHEER_INOUT(whole) seed, whole taken, whole all, int most,
+                                   int samples)
 {
     whole left_out = all - taken;
     mask inverted = left_out < taken;
@@ -96,7 +98,7 @@ SHEER_FN SampleBits chosen_samples(SHEER_INOUT(whole) seed, whole taken, whole a
     bits.low = whole(0u);
     bits.high = whole(0u);
     whole t = all - chosen;
-    for (int i = 0; i < samples / 2; i += 2) {
+    for (int i = 0; i < most; i += 2) {
         whole random = next_random(seed);
         bits = with_one_more(bits, random, t, all, samples);
         bits = with_one_more(bits, random, t + whole(1u), all, samples);
@@ -108,12 +110,18 @@ SHEER_FN SampleBits chosen_samples(SHEER_INOUT(whole) seed, whole taken, whole a
     return bits;
 }
 
-// R of S samples, R = floor(opacity S + xi), xi in [0, 1).
-SHEER_FN SampleBits stratified_mask(whole seed, real xi, real opacity, int samples)
+// R of S samples, R = floor(opacity S + xi), xi in [0, 1). `most` as above, for any xi; S / 2
+// serves all opacities.
+SHEER_FN SampleBits stratified_mask_of_most(whole seed, real xi, real opacity, int most,
+                                            int samples)
 {
     whole all = whole(samples);
     whole taken = rounded_at_random(opacity * to_real(all), xi);
-    return chosen_samples(seed, taken, all, samples);
+    return chosen_samples(seed, taken, all, most, samples);
+}
+SHEER_FN SampleBits stratified_mask(whole seed, real xi, real opacity, int samples)
+{
+    return stratified_mask_of_most(seed, xi, opacity, samples / 2, samples);
 }
 
 // xi that is dithered across a tile: for one identity seed the 64 pixels of an aligned square of 8
@@ -174,7 +182,7 @@ SHEER_FN SampleBits stratified_mask_of_open(whole seed, real xi, real opacity, S
                                             whole count, int samples)
 {
     whole taken = rounded_at_random(opacity * to_real(count), xi);
-    return deposited(chosen_samples(seed, taken, count, samples), open, samples);
+    return deposited(chosen_samples(seed, taken, count, samples / 2, samples), open, samples);
 }
 
 // The paper's table: masks made beforehand, 2047 (columns) for each of the opacities 0, 1 / 1000,

@@ -45,27 +45,36 @@ struct NearestSamples {
     // stochastic_insert into what lies in memory. Returns the depths that it keeps.
     static HWY_INLINE real insert(mask taken, const Store& fragment, float* at, std::size_t samples)
     {
-        const Change of_all = change(taken, fragment, at, samples);
+        const Change of_all = ties(taken, fragment, at).any()
+                                  ? change_by_ids(taken, fragment, at, samples)
+                                  : change(taken, fragment, at);
         store(of_all, fragment, at, samples);
         return of_all.depth;
     }
-    // The same in two steps: what comes of it, and storing that.
+    // The same in steps: what comes of it, and storing that.
     struct Change {
         mask wins;
         real depth;  // that is kept
     };
-    static HWY_INLINE Change change(mask taken, const Store& fragment, const float* at,
-                                    std::size_t samples)
+    static HWY_INLINE Change change(mask taken, const Store& fragment, const float* at)
+    {
+        const real kept = real::load(at);
+        const mask wins = taken & (fragment.depth < kept);
+        return {wins, L::select(wins, fragment.depth, kept)};
+    }
+    // Where there are ties, ids decide. Read for all, they would wait for what was stored in part
+    // just before.
+    static HWY_INLINE mask ties(mask taken, const Store& fragment, const float* at)
+    {
+        return taken & (fragment.depth == real::load(at));
+    }
+    static HWY_INLINE Change change_by_ids(mask taken, const Store& fragment, const float* at,
+                                           std::size_t samples)
     {
         Store kept;
         kept.depth = real::load(at);
-        mask wins = taken & (fragment.depth < kept.depth);
-        // Ids decide between equal depths alone. Read for all, they would wait for what was stored
-        // in part just before.
-        if ((taken & (fragment.depth == kept.depth)).any()) {
-            kept.id = whole::bits_of(real::load(at + samples));
-            wins = Text::stochastic_wins(kept, taken, fragment);
-        }
+        kept.id = whole::bits_of(real::load(at + samples));
+        const mask wins = Text::stochastic_wins(kept, taken, fragment);
         return {wins, L::select(wins, fragment.depth, kept.depth)};
     }
     static HWY_INLINE void store(const Change& change, const Store& fragment, float* at,

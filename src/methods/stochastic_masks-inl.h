@@ -162,6 +162,7 @@ private:
         Candidates& c = candidates_;
         const whole x0(place_.x), y0(place_.y), none(0);
         const whole end(static_cast<std::int32_t>(count));
+        const int most = most_chosen<Samples>(count);
         std::size_t left = 0;
         for (std::size_t i = 0; i < count; i += Block::kCount) {
             const whole pixel = whole::load(c.pixel + i);
@@ -171,7 +172,7 @@ private:
             // What lies past the last may be any number.
             const auto there = indices < end;
             const auto opacity = Block::zero_unless(there, whole::load(c.opacity + i)).as_real();
-            const auto bits = mask_of<Samples>(x, y, identity, opacity);
+            const auto bits = mask_of<Samples>(x, y, identity, opacity, most);
             const whole low = bits.low & whole::load(c.samples + i);
             whole any = low, high = none;
             if constexpr (Samples > 32) {
@@ -187,19 +188,40 @@ private:
         return left;
     }
 
+    // Of the candidates: what a mask chooses of Samples at most, the samples that are taken or
+    // those that are left out. Few are where opacities are near 0 or 1.
     template <int Samples>
-    HWY_INLINE Text::SampleBits mask_of(whole x, whole y, whole identity, Block::real opacity) const
+    HWY_INLINE int most_chosen(std::size_t count) const
+    {
+        if constexpr (Samples <= 8) return Samples / 2;
+        using real = Block::real;
+        const whole end(static_cast<std::int32_t>(count));
+        const real all(static_cast<float>(Samples)), one(1.0f);
+        real most(0.0f);
+        for (std::size_t i = 0; i < count; i += Block::kCount) {
+            const auto there = Block::iota() + whole(static_cast<std::int32_t>(i)) < end;
+            const real opacity =
+                Block::zero_unless(there, whole::load(candidates_.opacity + i)).as_real();
+            const real least = Block::floor(opacity * all);
+            most = Block::max(most, Block::min(least + one, all - least));
+        }
+        return std::min(static_cast<int>(most.greatest()), Samples / 2);
+    }
+
+    template <int Samples>
+    HWY_INLINE Text::SampleBits mask_of(whole x, whole y, whole identity, Block::real opacity,
+                                        int most) const
     {
         whole seed = Text::fragment_seed(x, y, identity);
         const int all = settings.mask_samples();
         // Constants unroll.
-        const auto bits = all == Samples ? mask_of_all(x, y, identity, seed, opacity, Samples)
-                                         : mask_of_all(x, y, identity, seed, opacity, all);
+        const auto bits = all == Samples ? mask_of_all(x, y, identity, seed, opacity, most, Samples)
+                                         : mask_of_all(x, y, identity, seed, opacity, all / 2, all);
         return first_ == 0 ? bits : Text::sample_part(bits, first_, settings.samples);
     }
 
     HWY_INLINE Text::SampleBits mask_of_all(whole x, whole y, whole identity, whole seed,
-                                            Block::real opacity, int samples) const
+                                            Block::real opacity, int most, int samples) const
     {
         if (settings.masks == MaskKind::naive) return Text::naive_mask(seed, opacity, samples);
         if (settings.masks == MaskKind::table) {
@@ -209,7 +231,7 @@ private:
         }
         const Block::real xi = settings.dithered ? Text::dithered_xi(x, y, identity, seed)
                                                  : Text::next_random_real(seed);
-        return Text::stratified_mask(seed, xi, opacity, samples);
+        return Text::stratified_mask_of_most(seed, xi, opacity, most, samples);
     }
 
     TilePlace place_ = {};

@@ -156,13 +156,22 @@ struct StochasticTile : SampleStore<S, NearestSamples<S, StochasticText>> {
                 const auto at = [&](std::size_t c) HWY_ATTR {
                     return stores + (Method::kChannels * pixel[c] * Samples + s);
                 };
+                typename L::mask taken[count], tied[count];
                 for (std::size_t c = 0; c < count; ++c) {
                     const std::size_t n = i[c];
                     fragment[c] = {sample_depth<L>(plane, offset[b], depth[n]),
                                    id,
                                    {real(red[n]), real(green[n]), real(blue[n])}};
-                    change[c] = Method::change(L::mask_of_bits(masks.word(first + c, s)),
-                                               fragment[c], at(c), Samples);
+                    taken[c] = L::mask_of_bits(masks.word(first + c, s));
+                    change[c] = Method::change(taken[c], fragment[c], at(c));
+                    tied[c] = Method::ties(taken[c], fragment[c], at(c));
+                }
+                if ((tied[0] | tied[count - 1]).any()) {
+                    for (std::size_t c = 0; c < count; ++c) {
+                        change[c] = Method::change_by_ids(taken[c], fragment[c], at(c), Samples);
+                    }
+                }
+                for (std::size_t c = 0; c < count; ++c) {
                     most[c] = b == 0 ? change[c].depth : L::max(most[c], change[c].depth);
                 }
                 for (std::size_t c = 0; c < count; ++c) {
