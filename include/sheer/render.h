@@ -206,9 +206,10 @@ struct Stats {
     int threads = 0;
     std::uint64_t seed = 0;
     std::uint64_t triangles = 0;  // submitted
-    // Transparent, covered at one visible sample or more. Of methods whose nearest fragments hide
-    // the others, those that are found hidden before they are shaded count whatever their opacity,
-    // which is not known then.
+    // Transparent, covered at one visible sample or more. Methods whose nearest fragments hide the
+    // others leave out triangles that are found hidden as a whole: their fragments are not made and
+    // don't count, and how many are found so depends on `simd`. Those that are found hidden between
+    // coverage and shading do, whatever their opacity, which is not known then.
     std::uint64_t fragments = 0;
     int passes = 1;
     double frames_per_pixel = 1;  // averaged or thrown away

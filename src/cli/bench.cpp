@@ -83,9 +83,10 @@ void print_tables(const BenchRequest& request, const std::vector<Setting>& setti
               scaling_table({request.over->axis, settings, timings, request.methods}));
         return;
     }
-    const Stats& any = timings.front().stats;
+    const Timing& first = timings.front();
+    const Stats& any = first.stats;
     print(source + size_text(any.width, any.height) + ", " + counted(any.triangles, "triangle") +
-          ", " + counted(any.fragments, "fragment") + ", " + rounds +
+          ", " + counted(first.fragments, "fragment") + ", " + rounds +
           bench_table(timings, request.methods));
 }
 
@@ -130,7 +131,7 @@ void add_own_options(CLI::App& command, BenchRequest& request)
         ->disable_flag_override();
 }
 
-constexpr const char* kMeaning =
+constexpr const char* kBenchMeaning =
     "Every round runs each method once; the numbers are medians over the rounds. Nanoseconds are\n"
     "those of one thread: time x threads / count. 'x blend': total time over that of the method\n"
     "'blend' in the same round, which runs for this even if it is not listed. 'x base': total "
@@ -160,7 +161,7 @@ void add_bench_command(CLI::App& tool)
                        "sheer bench builtin:motor --methods none,blend,exact --repeat 21 --json",
                        "sheer bench scene.glb --methods exact --simd avx2",
                        "sheer bench scan.ply --opacity 0.5 --samples 4"});
-    command->footer(std::string(kMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
+    command->footer(std::string(kBenchMeaning) + "\n" + examples + "\n" + methods_help() + "\n" +
                     scenes_help());
     command->callback([request, command] { run_bench(*request, *command); });
 }

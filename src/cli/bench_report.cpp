@@ -25,19 +25,20 @@ double ns_per_triangle(const Stats& stats)
     return ns_per(stats.ms_geometry, stats, stats.triangles);
 }
 
-double ns_raster_shade(const Stats& stats)
+double ns_raster_shade(const Timing& timing)
 {
-    return ns_per(stats.ms_raster_shade, stats, stats.fragments);
+    return ns_per(timing.stats.ms_raster_shade, timing.stats, timing.fragments);
 }
 
-double ns_store(const Stats& stats)
+double ns_store(const Timing& timing)
 {
-    return ns_per(stats.ms_store, stats, stats.fragments);
+    return ns_per(timing.stats.ms_store, timing.stats, timing.fragments);
 }
 
-double mfragments_per_s_per_thread(const Stats& stats)
+double mfragments_per_s_per_thread(const Timing& timing)
 {
-    return static_cast<double>(stats.fragments) / (stats.ms_total * 1e3 * stats.threads);
+    const Stats& stats = timing.stats;
+    return static_cast<double>(timing.fragments) / (stats.ms_total * 1e3 * stats.threads);
 }
 
 std::string stages_table(const std::vector<Timing>& timings,
@@ -55,9 +56,9 @@ std::string stages_table(const std::vector<Timing>& timings,
                               std::to_string(s.threads), s.simd, fixed(s.ms_total, 2),
                               fixed(timing.total_min, 2) + ".." + fixed(timing.total_max, 2),
                               fixed(s.ms_geometry, 2), fixed(ns_per_triangle(s), 1),
-                              fixed(s.ms_raster_shade, 2), fixed(ns_raster_shade(s), 2),
-                              fixed(ns_store(s), 2), fixed(s.ms_resolve, 2),
-                              fixed(mfragments_per_s_per_thread(s), 1),
+                              fixed(s.ms_raster_shade, 2), fixed(ns_raster_shade(timing), 2),
+                              fixed(ns_store(timing), 2), fixed(s.ms_resolve, 2),
+                              fixed(mfragments_per_s_per_thread(timing), 1),
                               fixed(timing.ratio_to_blend, 2), fixed(timing.ratio_to_base, 2)});
     }
     return table.text();
@@ -116,9 +117,9 @@ Json bench_rows(const std::vector<Timing>& timings)
         json["ms_total_min"] = timing.total_min;
         json["ms_total_max"] = timing.total_max;
         json["ns_per_triangle"] = ns_per_triangle(stats);
-        json["ns_per_fragment"] = {{"raster_shade", ns_raster_shade(stats)},
-                                   {"store", ns_store(stats)}};
-        json["mfragments_per_s_per_thread"] = mfragments_per_s_per_thread(stats);
+        json["ns_per_fragment"] = {{"raster_shade", ns_raster_shade(timing)},
+                                   {"store", ns_store(timing)}};
+        json["mfragments_per_s_per_thread"] = mfragments_per_s_per_thread(timing);
         json["ms_base"] = timing.ms_base;
         json["ms_opaque"] = timing.ms_opaque;
         json["ratio_to_blend"] = timing.ratio_to_blend;

@@ -29,11 +29,11 @@ const char* against(Axis axis)
     return axis == Axis::size || axis == Axis::layers ? "fragments" : axis_name(axis);
 }
 
-double amount_of(Axis axis, const Setting& setting, const Stats& stats)
+double amount_of(Axis axis, const Setting& setting, const Timing& timing)
 {
     if (axis == Axis::threads) return setting.given.options.threads;
     if (axis == Axis::samples) return setting.given.view.samples;
-    return static_cast<double>(stats.fragments);
+    return static_cast<double>(timing.fragments);
 }
 
 // One method along the axis.
@@ -61,8 +61,7 @@ std::vector<Curve> curves_of(const Scaling& scaling)
         Curve& curve = curves[i % curves.size()];
         curve.name = scaling.methods[i % curves.size()];
         curve.timings.push_back(&timing);
-        curve.x.push_back(
-            amount_of(scaling.axis, scaling.settings[i / curves.size()], timing.stats));
+        curve.x.push_back(amount_of(scaling.axis, scaling.settings[i / curves.size()], timing));
     }
     return curves;
 }
@@ -75,12 +74,14 @@ std::string times_table(const Scaling& scaling, const std::vector<Curve>& curves
     for (const Curve& curve : curves) {
         const double first = curve.timings.front()->stats.ms_total;
         for (std::size_t i = 0; i < curve.timings.size(); ++i) {
-            const Stats& s = curve.timings[i]->stats;
-            const double rate = static_cast<double>(s.fragments) / (s.ms_total * 1e3 * s.threads);
-            table.rows.push_back(
-                {i == 0 ? curve.name : "", scaling.settings[i].value, with_commas(s.fragments),
-                 fixed(curve.timings[i]->ms_raster_store, 2), fixed(s.ms_resolve, 2),
-                 fixed(s.ms_total, 2), fixed(s.ms_total / first, 3), fixed(rate, 1)});
+            const Timing& timing = *curve.timings[i];
+            const Stats& s = timing.stats;
+            const double rate =
+                static_cast<double>(timing.fragments) / (s.ms_total * 1e3 * s.threads);
+            table.rows.push_back({i == 0 ? curve.name : "", scaling.settings[i].value,
+                                  with_commas(timing.fragments), fixed(timing.ms_raster_store, 2),
+                                  fixed(s.ms_resolve, 2), fixed(s.ms_total, 2),
+                                  fixed(s.ms_total / first, 3), fixed(rate, 1)});
         }
     }
     return table.text();

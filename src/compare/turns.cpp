@@ -134,6 +134,7 @@ Timing time_method(const std::vector<Stats>& rounds, const Turns& turns)
     };
     return {.stats = median_stats(rounds),
             .rounds = n,
+            .fragments = std::max(rounds.back().fragments, turns.blend.back().fragments),
             .total_min = least->ms_total,
             .total_max = most->ms_total,
             .ms_opaque = median_of(n, [&](std::size_t i) { return opaque(i, ms_before_resolve); }),

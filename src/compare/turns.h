@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -46,6 +47,9 @@ Turns take_turns(Scene& scene, const View& view, const Options& options,
 struct Timing {
     Stats stats;
     std::size_t rounds;
+    // That were there: the method's or those of `blend`, whichever are more. A method that leaves
+    // out hidden triangles is not the slower for it.
+    std::uint64_t fragments;
     double total_min, total_max;
     // Of what is opaque to the method, all of a frame but for shadow maps and resolve.
     double ms_opaque;

@@ -34,18 +34,22 @@ inline int count_in_front(const OpaqueTile& opaque, const SampleSet& set,
     return count;
 }
 
-// Leaves out of triangles first, ..., end - 1 the pixels in which `hidden_behind` (of kTilePixels)
-// is nearer than the whole triangle: depths at samples are clamped to those of its vertices.
-// Returns how many fragments these were, of any opacity.
+// Leaves out of those triangles first, ..., end - 1 that are partly hidden, and of those after the
+// first of them, the pixels in which `hidden_behind` (of kTilePixels) is nearer than the whole
+// triangle: depths at samples are clamped to those of its vertices. Returns how many fragments
+// these were, of any opacity.
 HWY_INLINE int leave_out_hidden(const float* hidden_behind, const OpaqueTile& opaque,
                                 const SampleSet& set, std::size_t first, std::size_t end,
                                 TriangleBatch& batch, const CoverageList& list)
 {
     using whole = Block::whole;
+    const std::uint32_t partly = batch.partly_hidden >> first & ((1u << (end - first)) - 1);
+    if (partly == 0) return 0;
     const int before = batch.begin[first], last = batch.begin[end];
-    int kept = before, in_front = 0;
-    std::size_t k = first;  // the triangle whose last fragment is next
-    for (int i = before; i < last; i += Block::kCount) {
+    std::size_t k = first + static_cast<std::size_t>(std::countr_zero(partly));
+    int kept = batch.begin[k], in_front = 0;
+    // k: the triangle whose last fragment is next.
+    for (int i = kept; i < last; i += Block::kCount) {
         std::uint32_t* owners = batch.owner + (i - before);
         const whole owner = whole::load(owners);
         // What lies past the list's end may be any number.

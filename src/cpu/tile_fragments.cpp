@@ -8,12 +8,13 @@
 #define HWY_TARGET_INCLUDE "cpu/tile_fragments.cpp"
 #include "lanes/targets.h"
 
-#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
 #include "cpu/hidden-inl.h"
+#include "cpu/hidden_blocks-inl.h"
 #include "cpu/levels-inl.h"
 #include "cpu/places-inl.h"
+#include "cpu/submission-inl.h"
 #include "cpu/triangle_batch-inl.h"
 #include "cpu/visibility-inl.h"
 
@@ -30,9 +31,15 @@ struct Tile {
     OpaqueSamples samples;
     TileSetup setup;
     TriangleBatch batch = {};
+    HiddenBlocks hidden = {};
     bool wanted = true;  // by the consumer
 
     const Surface& surface() const { return job.surfaces->surfaces[batch.object()]; }
+    void look_at_kept()
+    {
+        const float* behind = consumer.hidden_behind;
+        if (behind != nullptr) hidden.kept.find(behind, behind);
+    }
 };
 
 // The end of the triangles from `first` on that are covered together: as many as have no more
@@ -92,6 +99,7 @@ HWY_INLINE void cover_batch(Tile& tile, CoverageList& list, int most, Finish&& f
 {
     TriangleBatch& batch = tile.batch;
     set_up(tile.job, batch);
+    tile.hidden.sort_out(batch);
     if (batch.conservative) {
         OverlapList& overlaps = tile.scratch.overlaps;
         const auto room = static_cast<std::size_t>(most + FragmentStream::kSlack);
@@ -162,14 +170,14 @@ inline void draw_opaque(Tile& tile)
 }
 
 // Moves the run's fragments down to `to`, without those of which nothing can be seen: all samples
-// behind opaque surfaces, or no opacity.
-inline void keep_visible(Tile& tile, FragmentRun& run, int to)
+// behind opaque surfaces, or no opacity. `in_front`: of all of these surfaces, which is known.
+inline void keep_visible(Tile& tile, FragmentRun& run, int to, bool in_front)
 {
     FragmentStream& s = tile.stream;
     auto kept = static_cast<std::uint32_t>(to);
     for (std::uint32_t i = run.first; i < run.first + run.count; ++i) {
         std::uint64_t visible = s.sample_bits(i);
-        if (tile.opaque.any) {
+        if (!in_front) {
             visible = tile.samples.in_front(tile.opaque, *tile.job.samples, run.depth,
                                             {s.pixel[i], visible, s.depth[i], {}});
         }
@@ -212,10 +220,8 @@ HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const C
         through.y.store(s.through_green.data() + i);
         through.z.store(s.through_blue.data() + i);
     };
-    if (tile.consumer.hidden_behind != nullptr && list.overlaps == nullptr) {
-        tile.scratch.hidden += static_cast<std::uint64_t>(leave_out_hidden(
-            tile.consumer.hidden_behind, tile.opaque, *tile.job.samples, first, end, batch, list));
-    }
+    tile.scratch.hidden += static_cast<std::uint64_t>(leave_out_hidden(
+        tile.consumer.hidden_behind, tile.opaque, *tile.job.samples, first, end, batch, list));
     shade_covered(tile.job, tile.setup, batch, first, end, list, tile.scratch, write);
     if (tile.job.wants.places) add_places(tile.job, tile.setup, batch, first, end, list, s);
     if (tile.job.wants.levels) add_levels(tile.job, tile.setup, batch, first, end, list, s);
@@ -231,7 +237,9 @@ HWY_INLINE void add_runs(Tile& tile, std::size_t first, std::size_t end, const C
                surface.id,
                batch.planes.depth_plane(k),
                t.back_facing != 0};
-        if (tile.opaque.any || surface.may_vanish || kept < begin) keep_visible(tile, run, kept);
+        const bool in_front = !tile.opaque.any || (batch.in_front >> k & 1) != 0;
+        if (!in_front || surface.may_vanish || kept < begin)
+            keep_visible(tile, run, kept, in_front);
         kept += static_cast<int>(run.count);
         if (run.count > 0) ++s.run_count;
     }
@@ -244,6 +252,7 @@ inline void hand_on(Tile& tile)
         tile.wanted = tile.consumer.take(tile.consumer.context, tile.stream);
     }
     tile.stream.clear();
+    tile.look_at_kept();
 }
 
 // Adds the transparent batch to the stream, which is handed on whenever it is full.
@@ -259,86 +268,6 @@ inline void draw_transparent(Tile& tile)
         covered.count = s.size;
     };
     cover_batch(tile, list, s.capacity, finish);
-}
-
-// The tile's triangles, in the order of submission. They lie scattered over the memory.
-inline void list_triangles(const TileJob& job, std::vector<TileTriangle>& triangles)
-{
-    const auto tile = static_cast<std::size_t>(job.tile);
-    triangles.clear();
-    for (const TriangleChunk& chunk : job.geometry->chunks) {
-        if (chunk.triangles.empty()) continue;
-        const std::uint32_t end = chunk.tile_begin[tile + 1];
-        for (std::uint32_t i = chunk.tile_begin[tile]; i < end; ++i) {
-            triangles.push_back({&chunk, &chunk.triangles[chunk.tile_triangles[i]]});
-        }
-    }
-}
-
-template <class Draw>
-HWY_INLINE void for_each_triangle(const TileJob& job, const std::vector<TileTriangle>& triangles,
-                                  Draw&& draw)
-{
-    constexpr std::size_t kAhead = 12;
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (i + kAhead < triangles.size()) hwy::Prefetch(triangles[i + kAhead].triangle);
-        const Triangle& t = *triangles[i].triangle;
-        draw(*triangles[i].chunk, t, job.surfaces->surfaces[t.object]);
-    }
-}
-
-// Farther ones first; of equal ones that with the greater id, which counts as the farther.
-inline bool is_farther(const SortedTriangle& a, const SortedTriangle& b)
-{
-    return a.distance > b.distance || (a.distance == b.distance && a.id > b.id);
-}
-
-// The mean of its corners' distances. A clipped triangle's pieces each have their own.
-inline float centroid_distance(const Triangle& t, bool orthographic)
-{
-    const auto distance = [&](float depth) { return orthographic ? depth : -1.0f / depth; };
-    return (distance(t.depth[0]) + distance(t.depth[1]) + distance(t.depth[2])) / 3.0f;
-}
-
-inline bool is_drawn_first(const TileJob& job, const Surface& surface)
-{
-    const bool tested = job.wants.masks && surface.alpha_mode == AlphaMode::mask;
-    return !surface.transparent && !tested;
-}
-
-inline bool goes_to_methods(const TileJob& job, const Surface& surface)
-{
-    return surface.transparent ? is_seen_through(surface) : !is_drawn_first(job, surface);
-}
-
-// The transparent triangles, in the job's order.
-template <class Draw>
-HWY_INLINE void for_each_transparent(const TileJob& job, TileScratch& scratch, Draw&& draw)
-{
-    std::vector<SortedTriangle>& sorted = scratch.sorted;
-    if (job.wants.submission == Submission::as_given) {
-        for_each_triangle(job, scratch.triangles,
-                          [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface)
-                              HWY_ATTR {
-                                  if (goes_to_methods(job, surface)) draw(chunk, t);
-                              });
-        return;
-    }
-    sorted.clear();
-    for_each_triangle(
-        job, scratch.triangles,
-        [&](const TriangleChunk& chunk, const Triangle& t, const Surface& surface) HWY_ATTR {
-            if (!goes_to_methods(job, surface)) return;
-            if (job.wants.submission == Submission::objects_sorted) {
-                sorted.push_back({job.surfaces->distances[t.object], surface.id, &chunk, &t});
-            } else {
-                const float distance = centroid_distance(t, job.geometry->orthographic);
-                sorted.push_back({distance, t.primitive, &chunk, &t});
-            }
-        });
-    // Stable: an object's triangles stay in their own order.
-    std::stable_sort(sorted.begin(), sorted.end(), is_farther);
-    for (const SortedTriangle& s : sorted) draw(*s.chunk, *s.triangle);
 }
 
 bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque,
@@ -370,6 +299,8 @@ bool tile_fragments(const TileJob& job, TileScratch& scratch, OpaqueTile& opaque
         if (batch.count > 0) draw_opaque(tile);
     }
     if (job.part == TilePart::opaque) return true;
+    if (opaque.any) find_opaque(opaque, tile.hidden.opaque);
+    tile.look_at_kept();
     for_each_transparent(job, scratch, [&](const TriangleChunk& chunk, const Triangle& t) HWY_ATTR {
         if (tile.wanted) draw(chunk, t, draw_transparent);
     });

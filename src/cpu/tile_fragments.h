@@ -58,7 +58,8 @@ struct SortedTriangle {
 struct TileScratch {
     std::vector<TileTriangle> triangles;
     std::vector<SortedTriangle> sorted;
-    std::uint64_t hidden = 0;  // fragments left out of the last tile: FragmentConsumer
+    // Fragments left out of the last tile, FragmentConsumer, but for those of whole triangles.
+    std::uint64_t hidden = 0;
     // As one triangle sees them.
     std::vector<Float3> light_places;
     std::vector<ShadowReceiver> receivers;

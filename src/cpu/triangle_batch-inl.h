@@ -59,6 +59,9 @@ struct TriangleBatch {
     // Triangle k's fragments in the list are begin[k], begin[k] + 1, ... before begin[k + 1].
     int begin[kMost + 1];
     bool conservative = false;
+    // Bit k, of triangle k: a pixel hides it that it may cover; it is in front of all that is
+    // opaque where it may be (HiddenBlocks).
+    std::uint32_t partly_hidden = 0, in_front = 0;
     // The triangle of each fragment in the list, from the first that waits for shading on.
     alignas(64) std::uint32_t owner[kMostCovered + Block::kCount] = {};
 
