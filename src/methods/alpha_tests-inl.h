@@ -132,8 +132,8 @@ private:
                 const std::size_t s = b * L::kCount;
                 const auto here = L::mask_of_bits((s < 32 ? low[i] : high[i]) >> (s & 31));
                 fragment.depth = sample_depth<L>(plane, offset[b], f.depth[i]);
-                const real kept = Method::insert(here, fragment, stores + s, Samples);
-                most = b == 0 ? kept : L::max(most, kept);
+                const real depths = Method::insert(here, fragment, stores + s, Samples);
+                most = b == 0 ? depths : L::max(most, depths);
             }
             far[f.pixel[i]] = most.greatest();
         }
